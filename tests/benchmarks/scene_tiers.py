@@ -9,13 +9,13 @@ from tabulate import tabulate
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.scene.tier_selection import known, on_request
+from coscrew_codegen.scene.tier_selection import known, need_ranges, on_request
 from tests.support.scenes.tiers import states
 
 SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
 NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "body_poses")
 STATES, ROUNDS = 1000, 100
-TIERS = tuple(name for name in known() if name not in on_request())
+TIERS = tuple(name for name in known() if name not in (*on_request(), *need_ranges()))
 
 
 def shortest(calls: list[Callable[[], object]]) -> list[float]:

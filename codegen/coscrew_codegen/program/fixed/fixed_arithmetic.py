@@ -4,13 +4,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from coscrew_codegen.program import Constant, Instruction, Op
 from coscrew_codegen.program.fixed import fixed_sine
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate
-
-Integers = NDArray[np.int64]
 
 
 def high_product(a: Any, b: Any) -> Any:
