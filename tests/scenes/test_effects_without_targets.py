@@ -65,7 +65,8 @@ ARM = ('[bodies.column]\nmass = 1\ninertia = [1, 1, 1]\n[bodies.base]\n'
        '[joints.hinge]\ntype = "revolute"\nparent = "base"\nchild = "arm"\naxis = [0, 1, 0]\n'
        '[joints.wrist]\ntype = "fixed"\nparent = "arm"\nchild = "hand"\n')
 """A column and a base that are fixed to the world, an arm, and a hand fixed to that."""
-VALUES = {"buoyancy": "rho = 1\nV = 1", "drag": "kind = 'stokes'\nb = 1",
+VALUES = {"added_mass": "mass = [1, 1, 1]", "buoyancy": "rho = 1\nV = 1",
+          "drag": "kind = 'stokes'\nb = 1",
           "field": "mu = 1\ncentre = [9, 0, 0]", "wrench": "force = [1, 0, 0]"}
 ON_BODIES = [x.name for x in EFFECTS if x.place is Place.BODY and not x.parts]
 
