@@ -157,6 +157,35 @@ def test_tilted_ground_is_tilted_gravity(made: Made) -> None:
     assert abs(downhill / (5 / 7 * G * math.sin(SLOPE) * 2) - 1) < 1e-11
 
 
+def test_heights_of_a_slope_are_a_tilted_plane(made: Made) -> None:
+    ends = []
+    start = f"[start.q]\nfree = [0, 0, {0.0995 / math.cos(SLOPE)!r}, 0, 0, 0, 1]\n"
+    for ground in (f'height = "{-math.tan(SLOPE)!r}*x"',
+                   f"normal = [{math.sin(SLOPE)!r}, 0, {math.cos(SLOPE)!r}]"):
+        text = f"{BALL}{LEVEL}[effects.ground]\n{ground}\n{start}"
+        ends.append(run(made(text), until=1).q[-1])
+    assert np.abs(ends[0] - ends[1]).max() < 1e-12
+
+
+def test_a_ball_on_smooth_hills_keeps_its_energy(made: Made) -> None:
+    ground = '[effects.ground]\nheight = "0.03*sin(6*x)*cos(6*y)"\n'
+    text = BALL.replace("mu = 0.5", "mu = 0\nalpha = 0") + LEVEL + ground
+    result = run(made(text + started(0.16, 0.3, 0.2) + '[outputs]\nrecord = ["energy"]\n'), until=3)
+    energy = result.recorded["energy.total"]
+    assert np.abs(energy / energy[0] - 1).max() < 1e-2
+    assert np.ptp(result.q[:, 0]) > 0.1
+
+
+@pytest.mark.parametrize("ground, words", [
+    ('height = "0.1*x"\nnormal = [0, 0, 1]', "height and normal are given; wanted heights or a"),
+    ('height = "0.1*z"', "unknown name 'z'.*; formulas know x, y, pi"),
+    ("height = 3", "wanted a function of x and y"),
+    ('height = "1/x"', "is not finite at x = y = 0")])
+def test_ground_that_cannot_be_is_refused(made: Made, ground: str, words: str) -> None:
+    with pytest.raises(SceneError, match=words):
+        read_scene(made(f"{BALL}{LEVEL}[effects.ground]\n{ground}\n"))
+
+
 def test_a_disc_rolls_at_two_thirds(made: Made) -> None:
     """A wheel with I = m r²/2 on its rim: g sin α/(1 + 1/2)."""
     text = """

@@ -17,6 +17,10 @@ Given = Mapping[str, object]
 """Values of parameters, by name."""
 
 
+Surface = Callable[[Number, Number], tuple[Number, Number, Number]]
+"""(x, y) -> a function of them, and its slopes by both."""
+
+
 @dataclass(frozen=True)
 class Values:
     """Values that a scene gives for an effect's parameters; formulas are evaluated at the current
@@ -39,6 +43,11 @@ class Values:
     def optional_vector(self, name: str) -> Vector | None:
         """Three numbers, if there are any."""
         return None if self.given[name] is None else self.vector(name)
+
+    def surface(self, name: str) -> "Surface | None":
+        """A function of a place, if there is one."""
+        value = self.given[name]
+        return value if callable(value) else None
 
     def word(self, name: str) -> str:
         """A choice."""
@@ -68,7 +77,8 @@ class ParameterOf:
     unit: str
     words: str
     kind: str = "number"  # number, vector (three numbers), matrix (symmetric, 6×6), formula (number
-    # or function of t), formulas (three of them), choice, body, flag (true or false)
+    # or function of t), formulas (three of them), height (function of x and y),
+    # choice, body, flag (true or false)
     default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number

@@ -29,9 +29,9 @@ _DECIMAL = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
 _GLUED = re.compile(r"(?<![\w.])[0-9.]++(?:[eE][+-]?[0-9]+)?+[A-Za-z_]\w*")  # 2t
 _UNIT = re.compile(r"\s*[+-]?[0-9.]++(?:[eE][+-]?[0-9]+)?+\s*(?!pi\b|t\b|x)"
                    r"([A-Za-z%°µ][\w/*^%°·]*)\s*")  # 2 kg
-_WANTED = f"numbers, t, pi, + - * / **, parentheses and {', '.join(FUNCTIONS)}"
-
-_KNOWN = f"formulas know t, pi and the functions {', '.join(FUNCTIONS)}"
+TIME: tuple[str, ...] = ("t",)
+PLACE = ("x", "y")
+"""Variables of formulas: the time, in s, or a place, in m."""
 
 _DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh, "sqrt": math.sqrt,
             "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float,
@@ -57,17 +57,18 @@ class _Step:
 
 @dataclass(frozen=True)
 class Formula:
-    """A function of the time t in s.
+    """A function of the time t in s, or of other variables.
 
     It consists of numbers, t, pi, + - * /, ** (with a constant integer or half-integer exponent),
     sin, cos, exp, tanh, sqrt, abs, min, max.  Raises FormulaError for anything else, naming what
     came and what was wanted."""
 
     text: str
+    of: tuple[str, ...] = field(default=TIME, repr=False, kw_only=True)
     _steps: tuple[_Step, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "_steps", tuple(_Reading(self.text).steps()))
+        object.__setattr__(self, "_steps", tuple(_Reading(self.text, self.of).steps()))
 
     @property
     def timed(self) -> bool:
@@ -83,7 +84,8 @@ class Formula:
         """The formula at the time t, for any kind of numbers.
 
         `functions` has an entry for each of FUNCTIONS (min and max with two arguments), "number",
-        which converts a Fraction to this kind, and "pi"."""
+        which converts a Fraction to this kind, and "pi"; and, of variables other than t, a function
+        without arguments that returns each."""
         stack: list[V] = []
         for step in self._steps:
             operands = stack[len(stack) - step.operands:]
@@ -92,9 +94,10 @@ class Formula:
         return stack.pop()
 
     def at(self, t: float) -> float:
-        """The formula at the time t in double precision; NaN where it is not finite."""
+        """The formula in double precision at the time t, or with t for each of its variables; NaN
+        where it is not finite."""
         try:
-            result = self.value(t, _DOUBLES)
+            result = self.value(t, {**_DOUBLES, **{x: lambda: t for x in self.of}})
         except (ArithmeticError, ValueError):
             return math.nan
         return result if math.isfinite(result) else math.nan
@@ -133,8 +136,12 @@ def _power(base: Any, exponent: Fraction, functions: Mapping[str, Any]) -> Any:
 class _Reading:
     """Parses one formula."""
 
-    def __init__(self, text: str) -> None:
-        self.text = text
+    def __init__(self, text: str, variables: tuple[str, ...]) -> None:
+        self.text, self.variables = text, variables
+        names = ", ".join((*variables, "pi"))
+        self.wanted = f"numbers, {names}, + - * / **, parentheses and {', '.join(FUNCTIONS)}"
+        self.known = (f"formulas know {', '.join(variables)}, pi and the functions "
+                      f"{', '.join(FUNCTIONS)}")
 
     def steps(self) -> Iterator[_Step]:
         """The steps, operands before the operations on them."""
@@ -142,22 +149,22 @@ class _Reading:
         if len(text) > LENGTH:
             raise self._error(f"{len(text)} characters; wanted at most {LENGTH}")
         if not text.strip():
-            raise self._error(f"nothing there; wanted {_WANTED}")
+            raise self._error(f"nothing there; wanted {self.wanted}")
         if match := _UNIT.fullmatch(text):
             raise self._error(f"unexpected {_short(match[1])!r}; wanted the number alone: units "
                               "are those of SI, angles in rad")
         if match := re.search(r"[^A-Za-z0-9_+\-*/(),. ]", text):
             hint = "; powers are written **" if match[0] == "^" else ""
-            raise self._error(f"unexpected {match[0]!r}{hint}; wanted {_WANTED}")
+            raise self._error(f"unexpected {match[0]!r}{hint}; wanted {self.wanted}")
         if match := _GLUED.search(text):
             raise self._error(f"unexpected {match[0]!r}; wanted a number, or * between factors")
         if "//" in text:
-            raise self._error(f"unexpected '//'; wanted {_WANTED}")
+            raise self._error(f"unexpected '//'; wanted {self.wanted}")
         try:
             tree = ast.parse(text.strip(), mode="eval").body
         except (SyntaxError, ValueError, MemoryError, RecursionError) as error:
             reason = error.msg if isinstance(error, SyntaxError) else "too deeply nested"
-            raise self._error(f"cannot be read ({reason}); wanted {_WANTED}") from None
+            raise self._error(f"cannot be read ({reason}); wanted {self.wanted}") from None
         return self._of(tree, NESTING, POWER)
 
     def _of(self, node: ast.expr, nesting: int, power: int) -> Iterator[_Step]:
@@ -194,21 +201,21 @@ class _Reading:
             case ast.Call():
                 yield from self._call(node, nesting, power)
             case _:
-                raise self._error(f"unexpected {_short(self._part(node))!r}; wanted {_WANTED}")
+                raise self._error(f"unexpected {_short(self._part(node))!r}; wanted {self.wanted}")
 
     def _name(self, name: str) -> _Step:
-        if name in ("t", "pi"):
+        if name in (*self.variables, "pi"):
             return _Step(name)
         if name in FUNCTIONS:
             raise self._error(f"{name!r} lacks its argument; wanted {name}(…)")
-        hint = or_mean(name, ("t", "pi", *FUNCTIONS))
-        raise self._error(f"unknown name {_short(name)!r}{hint}; {_KNOWN}")
+        hint = or_mean(name, (*self.variables, "pi", *FUNCTIONS))
+        raise self._error(f"unknown name {_short(name)!r}{hint}; {self.known}")
 
     def _call(self, node: ast.Call, nesting: int, power: int) -> Iterator[_Step]:
         name = self._part(node.func)
         if name not in FUNCTIONS:
             hint = or_mean(name, FUNCTIONS)
-            raise self._error(f"unknown function {_short(name)!r}{hint}; {_KNOWN}")
+            raise self._error(f"unknown function {_short(name)!r}{hint}; {self.known}")
         wanted, came = FUNCTIONS[name], len(node.args) + len(node.keywords)
         if node.keywords or came < wanted or (wanted == 1 and came > 1):
             count = "one argument" if wanted == 1 else "two arguments or more"

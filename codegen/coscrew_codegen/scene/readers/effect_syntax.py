@@ -52,7 +52,8 @@ def _line(parameter: ParameterOf) -> str:
 
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
-    kinds = {"vector": "three numbers", "formula": "a number, a function of t or a "
+    kinds = {"height": "a function of x and y", "vector": "three numbers",
+             "formula": "a number, a function of t or a "
              "trajectory",
              "formulas": "three numbers or functions of t", "flag": "true or false",
              "matrix": "six rows of six numbers"}

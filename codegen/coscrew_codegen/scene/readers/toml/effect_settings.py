@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import TypeGuard
 
 from coscrew_codegen.scene.effect import ParameterOf
-from coscrew_codegen.scene.formulas import Formula, FormulaError
+from coscrew_codegen.scene.formulas import PLACE, Formula, FormulaError
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described
@@ -26,6 +26,8 @@ def setting(table: TomlTable, parameter: ParameterOf, value: object, bodies: tup
         return _matrix(table, key, value)
     if kind == "formula":
         return _formula(table, parameter, value)
+    if kind == "height":
+        return _height(table, parameter, value)
     if kind == "formulas":
         if not isinstance(value, list) or len(value) != 3:
             table.refuse(key, f"{described(value)}; wanted a list of 3 numbers or functions of t")
@@ -123,6 +125,20 @@ def _formula(table: TomlTable, parameter: ParameterOf, value: object) -> Fractio
         table.refuse(parameter.name, f"the text {shown(value)}; wanted the number, without quotes")
     if math.isnan(formula.at(0.0)):
         table.refuse(parameter.name, f"formula {shown(value)} is not finite at t = 0")
+    return formula
+
+
+def _height(table: TomlTable, parameter: ParameterOf, value: object) -> Formula:
+    """A function of x and y."""
+    if not _is_text(value):
+        table.refuse(parameter.name, f"{described(value)}; wanted a function of x and y, as "
+                                     f"{parameter.example}")
+    try:
+        formula = Formula(value, of=PLACE)
+    except FormulaError as error:
+        table.refuse(parameter.name, str(error))
+    if math.isnan(formula.at(0.0)):
+        table.refuse(parameter.name, f"formula {shown(value)} is not finite at x = y = 0")
     return formula
 
 

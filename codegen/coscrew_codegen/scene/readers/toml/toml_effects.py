@@ -12,8 +12,8 @@ from coscrew_codegen.scene.effect import Effect, Place
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import PatternError, expanded
+from coscrew_codegen.scene.readers.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
-from coscrew_codegen.scene.readers.toml.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 from coscrew_codegen.scene.readers.toml.trajectories.trajectory_table import is_trajectory

@@ -67,8 +67,8 @@ def completed(effects: TomlTable, model: Model, applied: list[Applied]) -> list[
                 values = x.effect.completed(x.values, resting)
             except ValueError as error:
                 table = effects.table(x.effect.name)
-                table.refuse(next(key for key in table.values if x.label.startswith(key)),
-                             str(error))
+                labels = (key for key in table.values if x.label.startswith(key))
+                table.refuse(next(labels) if x.label else "", str(error))
             x = replace(x, values=cast("dict[str, Setting]", values))
         results.append(x)
     return results
