@@ -117,7 +117,6 @@ def test_flags_of_the_file_are_obeyed(read):
 
 
 UNKEPT = {
-    "loops": ('<equality><weld body1="toe" body2="tip"/></equality>', "equality weld 0"),
     "equalities": ('<equality><joint name="e" joint1="wag" joint2="swing" polycoef="0 1 1 0 0"/>'
                    "</equality>", "equality joint 'e'"),
     "equalities ": (FOLLOWS.replace("</equality>", '<joint name="f" joint1="wag" joint2="bend"/>'

@@ -7,7 +7,8 @@ from pathlib import Path
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
 from coscrew_codegen.scene.mechanism.collision import Collision
-from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Placement
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop, LoopEnd
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.declared_effects import Effects
@@ -42,8 +43,9 @@ def attached(parts: Parts, source: ModelSource, to: str, at: Placement, prefix: 
                    for x in tree.joints)
     bodies = tuple(replace(x, name=f"{prefix}{x.name}") for x in tree.bodies)
     shapes = tuple(_shape(x, to, at, prefix) for x in parts.collisions)
-    return _renamed(replace(parts, bodies=bodies, joints=joints, collisions=shapes), parts, source,
-                    prefix)
+    loops = tuple(_loop(x, to, at, prefix) for x in parts.loops)
+    return _renamed(replace(parts, bodies=bodies, joints=joints, collisions=shapes, loops=loops),
+                    parts, source, prefix)
 
 
 def _joint(joint: Joint, to: str, at: Placement, prefix: str, name: str) -> Joint:
@@ -63,6 +65,20 @@ def _shape(shape: Collision, to: str, at: Placement, prefix: str) -> Collision:
         return replace(shape, body=f"{prefix}{shape.body}")
     place = composed(at, Placement(shape.R, shape.t))
     return replace(shape, body=to, t=place.t, R=place.R)
+
+
+def _loop(loop: ClosedLoop, to: str, at: Placement, prefix: str) -> ClosedLoop:
+    """The loop by its new name, between bodies by theirs."""
+    first, second = (_end(x, to, at, prefix) for x in (loop.first, loop.second))
+    return replace(loop, name=f"{prefix}{loop.name}", first=first, second=second)
+
+
+def _end(end: LoopEnd, to: str, at: Placement, prefix: str) -> LoopEnd:
+    if end.body != WORLD:
+        return replace(end, body=f"{prefix}{end.body}")
+    place, axis = composed(at, Placement(end.R, end.point)), Placement(HERE.R, end.axis)
+    turned = composed(Placement(at.R, HERE.t), axis).t
+    return LoopEnd(to, place.t, place.R, turned)
 
 
 def _renamed(parts: Parts, old: Parts, source: ModelSource, prefix: str) -> Parts:

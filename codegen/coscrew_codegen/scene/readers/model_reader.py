@@ -16,6 +16,7 @@ from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
@@ -64,6 +65,7 @@ class Parts:
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # content that was read and is not used
     collisions: tuple[Collision, ...] = ()
+    loops: tuple[ClosedLoop, ...] = ()  # closures besides the joints
     elsewhere: Mapping[str, tuple[Path, str]] = field(default_factory=dict)  # elements that come
     # from other files, with the place there: "joint 'grip'": (arm.toml, "joints.grip")
 
@@ -83,7 +85,8 @@ class Parts:
             all_notices = (*notices(self.effects, clean), *notices(self.offered, clean),
                            *self.notices)
             return judged(replace(clean, implausible=self.implausible, notices=all_notices,
-                                  collisions=self.collisions), source.implausible)
+                                  collisions=self.collisions, loops=self.loops),
+                          source.implausible)
 
     def mimics_by_file(self, source: ModelSource) -> dict[str, str]:
         """The places of followers, with the file's name: "arm.urdf, line 7"."""

@@ -30,6 +30,7 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import loops
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
@@ -55,6 +56,7 @@ def _parts(source: ModelSource) -> Parts:
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
         offered=tendons(model, names).offered,
         start=_start(model, names),
+        loops=() if "loops" in source.leave_out else tuple(loops(model, names)),
         notices=(*left_out, *ignored(model, names), *(
             Notice("other tools' numbers", "model", f"MuJoCo warns: {x}") for x in warnings)),
         collisions=tuple(collisions(model, names, seen)))
@@ -176,5 +178,5 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
 READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
     "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
-    "gravity and its compensation; shapes that touch change no motion yet", _parts,
+    "closed loops, gravity and its compensation; shapes that touch change no motion yet", _parts,
     modules=("mujoco",), extra="mjcf", leaves_out=tuple(GROUPS))

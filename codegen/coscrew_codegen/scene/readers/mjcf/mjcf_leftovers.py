@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closes
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, one_coordinate
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -15,8 +16,9 @@ from coscrew_codegen.scene.readers.scene_error import SceneError
 if TYPE_CHECKING:
     import mujoco
 
+_LOOPS = "loops"
 GROUPS: Mapping[str, str] = {
-    "loops": "closes a loop of bodies",
+    _LOOPS: "closes a loop of bodies",
     "equalities": "is no line between two joints of one coordinate, or the second of a joint",
     "tendons": "pulls, and is no sum of joints' coordinates with one length at rest, or has an "
                "armature",
@@ -26,23 +28,24 @@ GROUPS: Mapping[str, str] = {
     "fluid": "makes forces of a fluid",
     "flexes": "is not rigid",
     "plugins": "runs code"}
-"""What `leave_out` may name, and why it is not kept."""
+"""What `leave_out` may name, and why it is not kept; loops are, unless they are left out."""
 
 _OTHER = "other tools' numbers"
 
 
 def refused(source: ModelSource, model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
     """Notices of what the scene leaves out.  Raises SceneError for the first that it does not."""
-    for group, element in _unkept(model, names):
+    for group, element in _unkept(model, names, source.leave_out):
         if group not in source.leave_out:
             raise SceneError(source.path, element, f"{GROUPS[group]}; leave_out = [\"{group}\"] in "
                              f"the scene, or --leave-out {group}, leaves it out")
         yield Notice(_OTHER, element, f"{element}: left out ({group})")
 
 
-def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
+def _unkept(model: "mujoco.MjModel", names: MjcfNames, leave_out: tuple[str, ...]
+            ) -> Iterator[tuple[str, str]]:
     """Group and element."""
-    yield from _equalities(model)
+    yield from _equalities(model, leave_out)
     yield from tendons(model, names).refused
     for name in actuators(model, names).refused:
         yield "actuators", name
@@ -58,16 +61,17 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, st
         yield "plugins", "plugin"
 
 
-def _equalities(model: "mujoco.MjModel") -> Iterator[tuple[str, str]]:
+def _equalities(model: "mujoco.MjModel", leave_out: tuple[str, ...]
+                ) -> Iterator[tuple[str, str]]:
+    """The equalities that are no followers, and no loops, unless these are left out."""
     import mujoco
 
-    loops = (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD))
     led: set[int] = set()
     for e in range(model.neq):
         if follows(model, e) and (y := int(model.eq_obj1id[e])) not in led:
             led.add(y)
-        elif model.eq_active0[e]:
-            group = "loops" if int(model.eq_type[e]) in loops else "equalities"
+        elif model.eq_active0[e] and (_LOOPS in leave_out or not closes(model, e)):
+            group = _LOOPS if closes(model, e) else "equalities"
             kind = mujoco.mjtEq(int(model.eq_type[e])).name.removeprefix("mjEQ_").lower()
             yield group, f"equality {kind} {model.equality(e).name or e!r}"
 

@@ -180,7 +180,8 @@ def _joined(main: Parts, source: ModelSource, others: list[Parts]) -> Parts:
         elsewhere={key: x for y in others for key, x in y.elsewhere.items()},
         implausible=tuple(x for y in every for x in y.implausible),
         notices=tuple(x for y in every for x in y.notices),
-        collisions=tuple(x for y in every for x in y.collisions))
+        collisions=tuple(x for y in every for x in y.collisions),
+        loops=tuple(x for y in every for x in y.loops))
 
 
 def _merged(tables: list[Effects]) -> Effects:

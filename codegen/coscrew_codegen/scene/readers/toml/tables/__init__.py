@@ -1,0 +1,1 @@
+"""Tables of scene files that say more of the model and of its functions: loops, ranges, accuracy."""
