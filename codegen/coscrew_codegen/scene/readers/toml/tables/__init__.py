@@ -1,1 +1,1 @@
-"""Tables of scene files that say more of the model and of its functions: loops, ranges, accuracy."""
+"""Tables of scene files on loops of the model, and on ranges and accuracy of its functions."""
