@@ -26,9 +26,9 @@ html_math_renderer = "mathml"
 
 TREES = {  # the navigation: what stands under each caption
     "Guides": ("README <../README>", "c", "python", "arrays", "scenes", "urdf", "models",
-               "contact", "loops", "playback", "sweeps", "derivatives", "identification", "fixed_point",
-               "from_ksl", "from_pinocchio", "from_mujoco", "glossary", "convention", "accuracy",
-               "bounds", "architecture", "../C*"),
+               "contact", "loops", "playback", "sweeps", "derivatives", "identification",
+               "fixed_point", "from_ksl", "from_pinocchio", "from_mujoco", "glossary", "convention",
+               "accuracy", "bounds", "architecture", "../C*"),
     "Scenes": ("../generated/docs/*",),
     "Operations": ("../generated/docs/operations/index", "../generated/docs/operations/*")}
 

@@ -17,9 +17,8 @@ from coscrew_codegen.accuracy.range_proofs import of_plain
 from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.scene import Scene
-from tests.scenes.test_range_proofs import FUNCTIONS, SCENES, WORST
 from tests.support.scenes.range_search import Search, Worst
-from tests.support.scenes.ranged import ranged
+from tests.support.scenes.ranged import FUNCTIONS, SCENES, WORST, ranged
 from tests.support.scenes.robots import scene_of
 
 RESTARTS = 3

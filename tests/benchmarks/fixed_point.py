@@ -9,18 +9,18 @@ import numpy as np
 from tabulate import tabulate
 
 from coscrew_codegen.accuracy.fixed_scene import FixedScene
+from coscrew_codegen.accuracy.float_rounding import FloatRounding
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.fixed.scene_c_fixed import c_name
 from coscrew_codegen.backends.scene import scene_c
-from coscrew_codegen.dynamics.ranges.rounding_rules import moved
-from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.reports.cost.needs import cortex_m4
+from coscrew_codegen.reports.cost.needs.core_costs import CORES
 from tests.support.scenes import fixed_point as fx
 from tests.support.scenes import fixed_robots
 
-CORES = {**cortex_m4.WITHOUT_FLOATS, "Cortex-M4F": cortex_m4.COMPILER}
 STATES, ROUNDS = 20_000, 12
 
 
@@ -46,8 +46,8 @@ def _proved(made: FixedScene, precision: Precision) -> str:
     """The bound of the plain function's errors in floating point."""
     (function,) = made.functions
     sizes = [dict(made.plain.box)[a.name] for a in function.plain.inputs]
-    ranges = moved(function.plain.program, precision, sizes, float(SINCOS.error(precision)))
-    return f"{max(x.error for x in ranges or ()):.1e}"
+    values = ValueBounds(function.plain.program, sizes, FloatRounding(precision))
+    return f"{max(x.error for x in values.results):.1e}"
 
 
 def _integers(made: FixedScene, products: Products, folder: Path) -> Iterator[str]:

@@ -15,9 +15,9 @@ NAMES = tuple(effect.name for effect in EFFECTS)
 def test_effects_are_in_order_and_each_fills_a_slot():
     assert tuple(sorted(NAMES)) == NAMES
     for effect in EFFECTS:
-        slots = (effect.gravity, effect.wind, effect.joint_torque, effect.joint_inertia,
-                 effect.body_force, effect.body_inertia, effect.pair_force, effect.reaction,
-                 effect.mimic)
+        slots = (effect.gravity, effect.wind, effect.ground, effect.joint_torque,
+                 effect.joint_inertia, effect.body_force, effect.body_inertia, effect.pair_force,
+                 effect.reaction, effect.mimic)
         assert sum(map(bool, slots)) == 1, effect.name
         assert effect.place is not Place.PAIR or effect.pair_force
 

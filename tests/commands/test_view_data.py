@@ -224,6 +224,27 @@ def test_a_sliding_body_hangs_on_a_rod(tmp_path):
         {"body": -1, "point": [0, 0, 0]}, {"body": 0, "point": [0, 0, 0]}]}]
 
 
+def test_rods_that_close_loops_join_their_points(tmp_path):
+    """Two pendulums, 1 m apart, and a rod between them."""
+    body = "mass = 1, com = [0, 0, -1], inertia = [0.1, 0.1, 0.1]"
+    results = run(tmp_path / "linked.toml", f"""[bodies]
+left = {{ {body} }}
+right = {{ {body} }}
+[joints]
+left = {{ type = "revolute", child = "left", axis = [0, 1, 0] }}
+right = {{ type = "revolute", child = "right", axis = [0, 1, 0], origin.xyz = [1, 0, 0] }}
+[loops.rod]
+kind = "rod"
+bodies = ["left", "right"]
+first = [0, 0, -1]
+second = [0, 0, -0.75]
+length = 1.0307764064044151
+[effects.gravity]
+""", until=0.1, precision="double")
+    assert PageData(page(results)).json["ties"][0] == {"spring": False, "ends": [
+        {"body": 0, "point": [0, 0, -1]}, {"body": 1, "point": [0, 0, -0.75]}]}
+
+
 def test_bodies_of_hardly_any_mass_without_visuals_are_frames(tmp_path, monkeypatch):
     (result,) = arm(tmp_path, '<visual><geometry><sphere radius="1"/></geometry></visual>',
                     text=ARM + """

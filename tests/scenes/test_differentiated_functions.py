@@ -237,6 +237,10 @@ target = "0.5*sin(2*pi*t)"
 kind = "torque"
 torque = "sin(30*t)"
 """
+WATER = """
+[effects.added_mass.hand]
+mass = [0.3, 0.5, 0.7]
+"""
 FOLLOWED = """
 [effects.mimic]
 joints = "all"
@@ -251,6 +255,13 @@ def test_derivatives_of_damped_steps(tmp_path: Path, integrator: Integrator, mor
     path = tmp_path / "crate.toml"
     path.write_text(DAMPED + more)
     check_step(read_scene(path), integrator)
+
+
+def test_derivatives_of_a_step_through_water(tmp_path: Path) -> None:
+    """Effects that add inertia count, beside damped joints."""
+    path = tmp_path / "crate.toml"
+    path.write_text(DAMPED + WATER)
+    check_step(read_scene(path), named("leapfrog"))
 
 
 def test_solutions_are_not_differentiated() -> None:

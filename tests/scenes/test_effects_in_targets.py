@@ -10,7 +10,7 @@ import pytest
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.runtime.load import Kernels, kernels_of
-from coscrew_codegen.scene.readers.toml.interpolant import Interpolant
+from coscrew_codegen.scene.readers.toml.trajectories.interpolant import Interpolant
 from coscrew_codegen.scene.scene import Scene
 from tests.support.each import each_precision
 from tests.support.scenes.effect_scenes import arm, effects

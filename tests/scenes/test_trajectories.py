@@ -12,8 +12,8 @@ from scipy.interpolate import PchipInterpolator
 
 from coscrew_codegen import load_scene, run
 from coscrew_codegen.scene.readers.scene_error import SceneError
-from coscrew_codegen.scene.readers.toml.interpolant import MOST, Interpolant
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.readers.toml.trajectories.interpolant import MOST, Interpolant
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 from tests.support.scenes.mechanisms import applied, rotor, scene
 

@@ -1,5 +1,6 @@
 // The space that a robot sweeps: its size, its centre at each time, and the points to be framed.
 import { Quaternion, Vector3 } from "three";
+import { tips } from "./marks.js";
 
 const POINTS = 8000, FEWEST = 24, MOST = 240;  // instants, for so many points in all
 
@@ -33,6 +34,9 @@ export class Extent {
     const near = this.low.z > -.02 * this.size && this.low.z < .3 * this.size;
     this.floor = near ? Math.min(this.low.z, 0) : this.low.z;
     this.times = this.samples.map(sample => times[sample]);
+    const arrows = tips(recording, this.size);
+    this.samples.forEach((sample, i) => this.sets[i].push(
+      ...arrows(sample).map(x => x.applyQuaternion(turn))));
     this.points = this.framed(still);
   }
 

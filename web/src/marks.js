@@ -7,6 +7,7 @@ import {
 
 const X = new Vector3(1, 0, 0), Y = new Vector3(0, 1, 0), Z = new Vector3(0, 0, 1);
 const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()], spare = new Quaternion();
+const LONGEST = .33;  // length of the longest arrow, in sizes of the robot
 const above = colour => new MeshBasicMaterial({
   color: colour, depthTest: false, transparent: true, toneMapped: false,
 });
@@ -114,9 +115,8 @@ function tube(path, radius, sides) {
   return geometry;
 }
 
-// Arrows of recorded forces, the longest a third of the robot's size; each stands on a point of
-// its body, and its components are in the body's axes or the world's.
-export function arrows(recording, robot, size) {
+// The arrows with their signals' numbers, and the largest force.
+function forces(recording) {
   const signals = recording.groups.flatMap(group => group.signals);
   const given = recording.arrows.map(arrow => ({
     ...arrow, numbers: arrow.signals.map(name => signals.find(x => x.name === name).numbers) }));
@@ -124,6 +124,25 @@ export function arrows(recording, robot, size) {
   for (const { numbers: [x, y, z] } of given) {
     x.forEach((_, i) => { most = Math.max(most, Math.hypot(x[i], y[i], z[i]) || 0); });
   }
+  return { given, most: most || 1 };
+}
+
+// A function from a sample to the points of all arrows.
+export function tips(recording, size) {
+  const { given, most } = forces(recording), pose = { at: new Vector3(), turn: new Quaternion() };
+  return sample => given.map(({ body, point, numbers, turns }) => {
+    recording.main.stored(body, sample, pose);
+    const tip = new Vector3(...numbers.map(x => x[sample] || 0)).multiplyScalar(
+      LONGEST * size / most);
+    if (turns) tip.applyQuaternion(pose.turn);
+    return tip.add(a.fromArray(point).applyQuaternion(pose.turn)).add(pose.at);
+  });
+}
+
+// Arrows of recorded forces, the longest a third of the robot's size; each stands on a point of
+// its body, and its components are in the body's axes or the world's.
+export function arrows(recording, robot, size) {
+  const { given, most } = forces(recording);
   const group = new Group(), thick = .0045 * size, head = .03 * size;
   for (const arrow of given) {
     const material = above(arrow.colour), one = new Group();
@@ -139,7 +158,7 @@ export function arrows(recording, robot, size) {
       const { body, point, numbers, turns } = one.userData, [shaft, tip] = one.children;
       const { position, quaternion } = robot.bodies[body];
       a.set(...numbers.map(x => recording.main.value(x)));
-      const length = .33 * size * a.length() / (most || 1);
+      const length = LONGEST * size * a.length() / most;
       one.visible = length > 1e-3 * size;
       if (!one.visible) continue;
       one.position.fromArray(point).applyQuaternion(quaternion).add(position);

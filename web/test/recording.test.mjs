@@ -29,7 +29,7 @@ function recording(speed, angle) {
     ["f8", Float64Array.from(times)], ["f4", Float32Array.from(columns)],
     ["f4", Float32Array.from([-1, 0, 1])]);
   return new Recording({
-    bodies: [{ name: "a" }], runs: [{ label: "double", shown: true, t, poses }],
+    bodies: [{ name: "a" }], runs: [{ label: "double", shown: true, t, poses }], arrows: [],
     groups: [{ signals: [{ name: "x", run: 0, base: 5, values }] }] }, block);
 }
 

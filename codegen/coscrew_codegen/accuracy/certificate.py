@@ -16,7 +16,7 @@ from coscrew_codegen.program.values.formats import Precision
 def certificate(function: FunctionProgram, precision: Precision) -> str:
     """The certificate of the plain function in a precision, for the results that have a bound; ""
     if none has."""
-    its = values(function.program, function, precision, FloatRounding(precision))
+    its = values(function.program, function.ranges, precision, FloatRounding(precision))
     proved = [k for k, x in enumerate(its.results) if isfinite(x.size + x.error)]
     if not proved:
         return ""

@@ -1,14 +1,17 @@
 """Proved bounds of the results of a scene's function in its tiers, for all arguments in the ranges
 that the scene states."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
 from coscrew_codegen.accuracy.rounding_rules import RoundingRule, ValueBounds
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.roundoff import Upward
-from coscrew_codegen.program.scene_functions import FunctionProgram
+from coscrew_codegen.program.scene_functions import ArgumentRanges, FunctionProgram
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
+
+if TYPE_CHECKING:
+    from coscrew_codegen.accuracy.tiers.mixed import Mixture
 
 
 class ResultBound(NamedTuple):
@@ -22,31 +25,44 @@ ResultBounds = tuple[ResultBound, ...]
 """The bounds of each component of the results."""
 
 
-def values(program: Program, function: FunctionProgram, precision: Precision, rule: RoundingRule
-           ) -> ValueBounds:
-    """The bounds of all values of the function's program, for arguments in a precision."""
-    ranges = function.ranges
+def values(program: Program, ranges: ArgumentRanges | None, precision: Precision,
+           rule: RoundingRule) -> ValueBounds:
+    """The bounds of all values of a program, for arguments in a precision."""
     if ranges is None:
-        raise ValueError(f"{function.name} has no stated ranges; wanted [ranges] in the scene")
+        raise ValueError(f"{program.name} has no stated ranges; wanted [ranges] in the scene")
     return ValueBounds(program, ranges.sizes(precision), rule, ranges.quaternions)
 
 
 def of_plain(function: FunctionProgram, precision: Precision) -> ResultBounds:
     """The bounds of the plain tier's results."""
-    return _bounds(values(function.program, function, precision, FloatRounding(precision)))
+    inside = values(function.program, function.ranges, precision, FloatRounding(precision))
+    return tuple(ResultBound(x.size, x.error) for x in inside.results)
 
 
-def of_accurate(function: FunctionProgram, precision: Precision) -> ResultBounds | None:
-    """The bounds of the accurate tier's results in single precision, which is plain double
-    precision rounded once."""
+def of_accurate(function: FunctionProgram, precision: Precision) -> ResultBounds:
+    """The bounds of the accurate tier's results: in single precision plain double precision is
+    rounded once, in double precision all is carried in pairs."""
     if precision != SINGLE:
-        return None
+        return of_pairs(function, precision)
     program = function.program.fine or function.program
-    inside = values(program, function, precision, FloatRounding(DOUBLE))
+    inside = values(program, function.ranges, precision, FloatRounding(DOUBLE))
     u, eta = Upward(precision.u), Upward(precision.eta)
     return tuple(ResultBound(x.size, x.error + u * (x.size + x.error) + eta)
                  for x in inside.results)
 
 
-def _bounds(inside: ValueBounds) -> ResultBounds:
-    return tuple(ResultBound(x.size, x.error) for x in inside.results)
+def of_pairs(function: FunctionProgram, precision: Precision) -> ResultBounds:
+    """The bounds of results whose values are all carried in pairs."""
+    return of_mixture(function.program.fine or function.program, function.ranges, precision)
+
+
+def of_mixture(program: Program, ranges: ArgumentRanges | None, precision: Precision,
+               mixture: "Mixture | None" = None) -> ResultBounds:
+    """The bounds of a program's results; this mixture of instructions, or all, are carried in
+    pairs."""
+    from coscrew_codegen.accuracy.pair_rounding import PairRounding  # with it come all tiers
+
+    rule = PairRounding(program, precision, mixture)
+    inside = values(program, ranges, precision, rule)
+    return tuple(ResultBound(x.size, rule.final(y, x))
+                 for x, y in zip(inside.results, program.results, strict=True))

@@ -44,7 +44,7 @@ def reason(function: FunctionProgram) -> str:
         function.program.inputs, function.ranges.intervals, strict=True))
         if n in used and not all(isfinite(end) for x in each for end in x)]
     return f"[ranges] states no range of {_listed(unstated)}" if unstated else \
-        "it divides by numbers that may be small"
+        "no bound of its quotients is known"
 
 
 def _of_output(a: Argument, of: Mapping[Precision, ResultBounds], known: Sequence[int]) -> str:

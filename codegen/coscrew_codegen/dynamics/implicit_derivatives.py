@@ -29,6 +29,7 @@ from coscrew_codegen.dynamics.forces.effect_derivatives import Delays, different
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
+from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 
 Row = Sequence[Number]
 Rows = Sequence[Row]
@@ -40,7 +41,8 @@ BY = ("q", "v", "tau", "p")
 def program(x: FunctionRecording, weights: WeightsOf, passes: int) -> Program | None:
     """The derivatives of an acceleration by each input of BY that it takes, after one pass or two,
     in a recording of its inputs; None if forces on points, between bodies or on sums of coordinates
-    are implicit, damping depends on later velocities, or a joint's screws depend on q."""
+    are implicit, damping depends on later velocities, a joint's screws depend on q, effects add
+    inertia to bodies, or a free base moves straight on while it drifts."""
     solution = _Solution(x, weights)
     if not solution.at_joints_alone:
         return None
@@ -87,10 +89,14 @@ class _Solution:
 
     @property
     def at_joints_alone(self) -> bool:
-        """True if slopes are those of torques along velocities, and screws are constants."""
-        return (rnea_derivatives.constant_screws(self.start.motion) and not self.start.pairs
-                and not self.start.looks_ahead and all(len(s.weights) == 1 for s in self.start.sums)
-                and not any(map(self.start.resisting, range(len(self.x.tree.links)))))
+        """True if slopes are those of torques along velocities, and screws are constants; inertias
+        are those of rigid bodies; velocities of free bases stay the same in their own frame."""
+        x, start = self.x, self.start
+        return (rnea_derivatives.constant_screws(start.motion) and not start.pairs
+                and not start.looks_ahead and all(len(s.weights) == 1 for s in start.sums)
+                and not any(map(start.resisting, range(len(x.tree.links))))
+                and not any(rigid.added for rigid in x.rigids)
+                and not carries(x.scene))
 
     def derivatives(self, passes: int) -> Rows:
         """The derivatives of the last pass's accelerations."""

@@ -25,17 +25,6 @@ class Coordinate:
 
 
 @dataclass(frozen=True)
-class Accuracy:
-    """Requested error limits of a function's results, and the states for which they hold: ranges of
-    each component of each input, and the components that are quaternions."""
-
-    tolerances: tuple[float, ...]  # of each component of the results
-    components: tuple[tuple[str, int], ...]  # their outputs and numbers
-    ranges: tuple[tuple[tuple[float, float], ...], ...]
-    quaternions: tuple[tuple[int, range], ...] = ()  # number of the input, its components
-
-
-@dataclass(frozen=True)
 class ArgumentRanges:
     """Stated ranges of a function's arguments: an interval of each component of each input, with
     ends rounded outwards; and the components of each unit quaternion."""
@@ -51,6 +40,18 @@ class ArgumentRanges:
 
 def _rounded_up(size: float, precision: Precision) -> float:
     return float(precision.rounded_up(Fraction(size))) if size and isfinite(size) else size
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Requested error limits of a function's results, and the states for which they hold: ranges of
+    each component of each input, and the components that are quaternions."""
+
+    tolerances: tuple[float, ...]  # of each component of the results
+    components: tuple[tuple[str, int], ...]  # their outputs and numbers
+    ranges: tuple[tuple[tuple[float, float], ...], ...]
+    quaternions: tuple[tuple[int, range], ...] = ()  # number of the input, its components
+    stated: ArgumentRanges | None = None  # if the scene states ranges: then the limits are proved
 
 
 @dataclass(frozen=True)

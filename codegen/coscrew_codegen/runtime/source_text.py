@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.backends.numpy import scene_python
 from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.python_extension.scene_calls import BINDING
+from coscrew_codegen.backends.python_extension.scene_calls import BINDING, binding_units
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_tier
 from coscrew_codegen.backends.scene.scene_text import banner_of
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface
-from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE, Precision, named
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision, named
 from coscrew_codegen.runtime.console import doing
 from coscrew_codegen.runtime.request import Request
 
@@ -31,10 +31,7 @@ class SourceText:
         wanted = [p for p in named(self.plain.precisions) if p.name in precisions]
         units = {p.name: (self.source.format(f=p.suffix), *self.only(p), *self.flags)
                  for p in wanted}
-        if BINDING in self.files:
-            units |= {f"calls_{p.name}": (BINDING, f"-DSINGLE_PRECISION={int(p is SINGLE)}")
-                      for p in wanted}
-        return units
+        return units | binding_units(wanted) if BINDING in self.files else units
 
     def only(self, precision: Precision) -> tuple[str, ...]:
         """The flags that leave out the other precisions."""

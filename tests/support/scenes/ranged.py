@@ -41,3 +41,13 @@ def floating() -> Scene:
     place = (symmetric(Fraction(10)),) * 3
     return replace(scene, ranges=scene.ranges.stating({
         "q": (*place, *QUATERNION, symmetric(Fraction(4)), *QUATERNION)}))
+
+
+SCENES = {"panda": panda, "floating": floating}
+FUNCTIONS = {
+    "panda": ("inverse_dynamics", "inverse_dynamics_derivatives", "mass_matrix", "energy",
+              "jacobian_link7", "inverse_dynamics_tangent"),
+    "floating": ("inverse_dynamics", "body_poses", "mass_matrix", "momentum", "energy")}
+"""Functions whose bounds are attacked, by scene."""
+WORST = Path(__file__).parents[2] / "scenes/range_worst_cases.csv"
+"""The worst states found."""

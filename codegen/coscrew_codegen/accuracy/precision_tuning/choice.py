@@ -11,6 +11,7 @@ states join the sample and the margin grows.
 The bounds are those of the certified tier, |x̂ - w| + B with w of double precision, for the x̂ of
 the mixture: they hold at their states for any mixture."""
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 from math import prod, sqrt
@@ -22,12 +23,13 @@ from coscrew_codegen.accuracy.precision_tuning.error_search import Sizes, climbe
 from coscrew_codegen.accuracy.precision_tuning.sample import States, StateSample
 from coscrew_codegen.accuracy.precision_tuning.sample import in_double as double
 from coscrew_codegen.accuracy.precision_tuning.sensitivity import OWN, Place, sensitivities
+from coscrew_codegen.accuracy.range_proofs import of_mixture
 from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
 from coscrew_codegen.accuracy.tiers.certified_wide import in_double
 from coscrew_codegen.accuracy.tiers.mixed import CARRYING, Mixture, mixed
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.reported_error import ReportedError
-from coscrew_codegen.program.scene_functions import Accuracy
+from coscrew_codegen.program.scene_functions import Accuracy, ArgumentRanges
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import SINGLE
 from coscrew_codegen.program.whole_cost import whole_counts
@@ -59,14 +61,16 @@ class PrecisionChoice:
     program: Program
     pairs: Program  # all in pairs, for comparison
     paired: int  # instructions of the plain program that are in pairs
-    worst: tuple[float, ...]  # largest certified bound of each component of the results
+    worst: tuple[float, ...]  # largest certified bound of each component of the results; or, over
+    # stated ranges, the proved one
 
 
 @cache
 def chosen(program: Program, accuracy: Accuracy) -> PrecisionChoice:
     """Chooses the mixture for a plain program, with the formulas for twice the digits.  Raises
     AccuracyError if not even pairs reach the accuracy."""
-    return _Search(program.fine or program, accuracy).choice()
+    search = _Search(program.fine or program, accuracy)
+    return search.proved(accuracy.stated) if accuracy.stated else search.choice()
 
 
 class _Search:
@@ -99,6 +103,25 @@ class _Search:
                                        tuple(worst.tolist()))
             self._add(others.at(_worst(self._units(result, others))))
             room *= room
+
+    def proved(self, ranges: ArgumentRanges) -> PrecisionChoice:
+        """Chooses the cheapest mixture whose errors are proved for all arguments in these ranges;
+        states only rank instructions."""
+        self._refuse_bounds([x.error for x in of_mixture(self.program, ranges, SINGLE)])
+        first = self.states.drawn(SEARCHED)
+        self._rank(first.at(np.arange(_RANKED)))
+        self._rank(first.at(_worst(self._units(self.program, first))))
+
+        def meets(mixture: Mixture) -> bool:
+            bounds = of_mixture(self.program, ranges, SINGLE, mixture)
+            return all(x.error <= tolerance for x, tolerance in zip(
+                bounds, self.accuracy.tolerances, strict=True))
+
+        mixture = min((self._largest(power, meets) for power in _POWERS),
+                      key=lambda x: operations(mixed(self.program, x)))
+        bounds = of_mixture(self.program, ranges, SINGLE, mixture)
+        return PrecisionChoice(mixed(self.program, mixture), self.pairs, len(mixture.paired),
+                               tuple(x.error for x in bounds))
 
     def _others(self, program: Program) -> StateSample:
         """Yields new states, random ones and those of searches, until bounds exceed the request at
@@ -139,20 +162,22 @@ class _Search:
         budget left by all-pairs evaluation."""
         least = float(self._units(self.pairs, self.sample).max())
         aim = least + room * (1 - least)
-        results = {power: self._largest(power, aim) for power in self.powers}
+        def meets(mixture: Mixture) -> bool:
+            return bool(self._units(mixed(self.program, mixture), self.sample).max() <= aim)
+
+        results = {power: self._largest(power, meets) for power in self.powers}
         cheapest = min(results, key=lambda x: operations(mixed(self.program, results[x])))
         self.powers = cheapest,
         return results[cheapest]
 
-    def _largest(self, power: int, aim: float) -> Mixture:
+    def _largest(self, power: int, meets: Callable[[Mixture], bool]) -> Mixture:
         """Returns the mixture of the largest threshold that meets the aim; all in pairs if there is
         none."""
         thresholds = sorted({-1.0, *self.sensitive.values()})
         low, high = 0, len(thresholds) - 1
         while low < high:
             middle = (low + high + 1) // 2
-            made = mixed(self.program, self._mixture(thresholds[middle], power))
-            if self._units(made, self.sample).max() <= aim:
+            if meets(self._mixture(thresholds[middle], power)):
                 low = middle
             else:
                 high = middle - 1
@@ -175,7 +200,10 @@ class _Search:
 
     def _refuse(self, sample: StateSample) -> None:
         """Raises AccuracyError if pairs do not reach the requested accuracy at these states."""
-        bounds = sample.certified(self.pairs).max(axis=1)
+        self._refuse_bounds(sample.certified(self.pairs).max(axis=1))
+
+    def _refuse_bounds(self, bounds: Iterable[float]) -> None:
+        """Raises AccuracyError if these bounds of pairs exceed the requested accuracy."""
         for (name, number), bound, tolerance in zip(
                 self.accuracy.components, bounds, self.accuracy.tolerances, strict=True):
             if bound > tolerance:

@@ -10,6 +10,7 @@ from coscrew_codegen.accuracy.precision_tuning.choice import (
     operations,
 )
 from coscrew_codegen.accuracy.precision_tuning.error_search import CLIMBED
+from coscrew_codegen.accuracy.range_statements import domain
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.digits import two_digits_up
 
@@ -18,21 +19,24 @@ def in_words(choice: PrecisionChoice, function: FunctionProgram) -> str:
     """Describes the mixture for the comment of the function."""
     plain, mixture, pairs = _operations(choice, function)
     count = len(function.program.instructions)
-    return (f"Certified at {2 * DRAWN:,} states drawn between the joints' limits and at the worst "
+    sure = (f"Certified at {2 * DRAWN:,} states drawn between the joints' limits and at the worst "
             f"that {SEARCHES} searches among {SEARCHES * CLIMBED:,} others found, not proved "
-            f"between them: rounding moves {_moved(choice, function)}.  Of "
-            f"{count:,} instructions {choice.paired:,} are in pairs "
-            f"({100 * choice.paired / count:.0f} %).  A call takes {mixture:,} operations, those "
-            f"of elementary functions included; all in single precision {plain:,}, all in pairs "
-            f"{pairs:,}.")
+            "between them")
+    if function.accuracy and function.accuracy.stated:
+        sure = f"Proved for every {domain(function)}"
+    return (f"{sure}: rounding moves {_moved(choice, function)}.  Of {count:,} instructions "
+            f"{choice.paired:,} are in pairs ({100 * choice.paired / count:.0f} %).  A call takes "
+            f"{mixture:,} operations, those of elementary functions included; all in single "
+            f"precision {plain:,}, all in pairs {pairs:,}.")
 
 
 def saving(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[str]) -> str:
     """A line for the user who generates the function; `units` are those of the results' components.
     """
     plain, mixture, pairs = _operations(choice, function)
+    moves = "is proved" if function.accuracy and function.accuracy.stated else "was found"
     return (f"{function.name}: a call takes {mixture:,} operations in the mixed tier, {plain:,} in "
-            f"single precision, {pairs:,} in pairs; rounding was found to move "
+            f"single precision, {pairs:,} in pairs; rounding {moves} to move "
             f"{_moved(choice, function, units)}")
 
 

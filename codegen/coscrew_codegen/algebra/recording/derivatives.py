@@ -33,6 +33,22 @@ def tangent(program: Program) -> Program:
         *_of(program.outputs, values), *_of(rates, slopes)])
 
 
+def jacobian(program: Program) -> Program:
+    """The Program from inputs x to the derivatives ∂y/∂x of each output by the components of all
+    inputs, row by row."""
+    recorder = Recorder(program.inputs)
+    numbers_of = [recorder.argument(a.name) for a in program.inputs]
+    count, one = sum(map(len, numbers_of)), recorder.number(1)
+    places = iter(range(count))
+    given = [[Dual(x, tuple(one if i == k else None for i in range(count)))
+              for x, k in zip(row, places, strict=False)] for row in numbers_of]
+    with recorder.part("jacobian"):
+        result = along(program, recorder, given)
+    slopes = [recorder.number(0) if s is None else s for y in result for s in y.slopes]
+    outputs = [array(f"d_{a.name}", (a.quantity.size, count)) for a in program.outputs]
+    return recorder.program(f"{program.name}_jacobian", _of(tuple(outputs), slopes))
+
+
 def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]]
           ) -> list[Dual[Number]]:
     """The results on numbers of a recording, with their derivatives along the directions that these

@@ -9,7 +9,7 @@ many states, where that has been set.  `run_…` takes n steps of h in a row, fr
 without its headers.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
@@ -69,6 +69,12 @@ def tier_files(made: SceneTier, banner: str) -> Files:
 def _binding() -> Files:
     """The text that is the same for all scenes."""
     return {**runtime("runtime/calls/*.c"), **runtime("runtime/calls/*.h")}
+
+
+def binding_units(precisions: Iterable[Precision]) -> dict[str, tuple[str, ...]]:
+    """The binding's objects: source and flags of each."""
+    return {f"calls_{p.name}": (BINDING, f"-DSINGLE_PRECISION={int(p is SINGLE)}")
+            for p in precisions}
 
 
 def source(scene: SceneFunctions) -> str:

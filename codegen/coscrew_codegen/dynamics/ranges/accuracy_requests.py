@@ -1,19 +1,20 @@
 """Accuracy that a scene requests of a function, and the limits between which states are drawn."""
 
 from collections.abc import Iterator, Mapping
-from math import inf, pi
+from math import inf, isfinite, pi
 
+from coscrew_codegen.dynamics.ranges.argument_ranges import argument_ranges
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.reported_error import ReportedError
-from coscrew_codegen.program.scene_functions import Accuracy
+from coscrew_codegen.program.scene_functions import Accuracy, ArgumentRanges
 from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.joints import kind_named
 from coscrew_codegen.scene.mechanism.model import Joint
+from coscrew_codegen.scene.mechanism.ranges import Intervals
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
-Ranges = tuple[tuple[float, float], ...]
 REACHED_IN = 0.1
 """Time in which accelerations reach the velocity limits, in s."""
 
@@ -35,16 +36,32 @@ def requested(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
                              f"{did_you_mean(name, outputs)}")
     components = tuple((a.name, k) for a in program.outputs for k in range(a.quantity.size))
     every = within.get("", inf)
-    return Accuracy(tuple(within.get(name, every) for name, _ in components), components,
-                    tuple(_ranges(a.name, program, scene, tree) for a in program.inputs),
+    stated = argument_ranges(program, scene.ranges) if scene.ranges else None
+    drawn = tuple(_drawn(number, a.name, program, scene, tree, stated)
+                  for number, a in enumerate(program.inputs))
+    return Accuracy(tuple(within.get(name, every) for name, _ in components), components, drawn,
                     tuple((n, c.q[places])
                           for n, a in enumerate(program.inputs) if a.name == "q"
-                          for c in tree.coordinates for places in kind_named(c.kind).quaternions))
+                          for c in tree.coordinates for places in kind_named(c.kind).quaternions),
+                    stated)
 
 
-def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
+def _drawn(number: int, name: str, program: Program, scene: Scene, tree: Tree,
+           stated: ArgumentRanges | None) -> Intervals:
+    """The intervals from which an input's components are drawn: stated ones where they are finite.
+    """
+    if stated and all(isfinite(end) for x in stated.intervals[number] for end in x):
+        return stated.intervals[number]
+    between = _ranges(name, program, scene, tree)
+    if not stated:
+        return between
+    return tuple(x if all(map(isfinite, x)) else y
+                 for x, y in zip(stated.intervals[number], between, strict=True))
+
+
+def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Intervals:
     joints = {link.joint.name: link.joint for link in tree.links}
-    ranges: Mapping[str, Ranges] = {
+    ranges: Mapping[str, Intervals] = {
         "t": ((0.0, scene.run.duration),),
         "p": tuple((float(x.value), float(x.value)) for x in scene.parameters),
         "r": ((-scene.model.length, scene.model.length),) * 3}
@@ -64,7 +81,7 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
     return tuple(results)
 
 
-def positions(joint: Joint) -> Ranges:
+def positions(joint: Joint) -> Intervals:
     """Ranges of a joint's positions.  A missing limit is one turn, or 2 m, from the other one;
     without both limits the range is half of that to either side of zero."""
     lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))

@@ -24,6 +24,8 @@ from coscrew_codegen.reports.cost.function_errors import FunctionErrors, measure
 from coscrew_codegen.reports.cost.loops import ELEMENTS, CompiledLoops, compiled
 from coscrew_codegen.reports.cost.measured import CERTIFIED, choices
 from coscrew_codegen.reports.cost.needs.answers import Answer, answer
+from coscrew_codegen.reports.cost.needs.core_costs import CoreCost, on_cores
+from coscrew_codegen.reports.cost.needs.cortex_m4 import CountError
 from coscrew_codegen.reports.cost.needs.need import Need, refuse_other_units
 from coscrew_codegen.reports.cost.run_errors import RunErrors, run_errors
 from coscrew_codegen.reports.cost.work_precision import (
@@ -37,6 +39,7 @@ from coscrew_codegen.reports.timing.loop_timing import timed_loops
 from coscrew_codegen.reports.timing.machine_load import Load, LoadWatch
 from coscrew_codegen.runtime import compilation
 from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulation.progress import Progress
 from coscrew_codegen.simulation.recordings.record import accelerations
@@ -75,6 +78,7 @@ class Costs:
     run_errors: RunErrors | None = None
     answers: tuple[Answer, ...] = ()
     load: Load | None = None  # of the machine, while functions were timed
+    cores: tuple[CoreCost, ...] = ()  # where the scene selects fixed point
 
     @property
     def needs(self) -> tuple[Need, ...]:
@@ -114,8 +118,16 @@ def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> 
     answers = tuple(answer(request.needs, rows, built[0], box) for rows in accuracy
                     if any(x.function == rows[0].function for x in request.needs))
     costs = Costs(scene.name, str(using), (), None, (), accuracy, not request.alone,
-                  answers=answers, load=watch.load)
+                  answers=answers, load=watch.load, cores=_cores(scene, names))
     return costs if request.alone else _with_runs(costs, kernels, overrides, built, states, request)
+
+
+def _cores(scene: Scene, names: Sequence[str]) -> tuple[CoreCost, ...]:
+    """The functions on processors without floating point.  Raises CostError."""
+    try:
+        return on_cores(scene, names)
+    except CountError as error:
+        raise CostError(f"cost counts instructions, but {error}") from None
 
 
 def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides,
@@ -142,7 +154,7 @@ def _tiers(of: Ablation, names: Sequence[str], all_of_them: bool) -> tuple[Scene
         f for f in of.public if f.name in names))
     results = []
     for tier in OF_SCENES:
-        if names and tier != PLAIN and (
+        if names and tier != PLAIN and not tier.fixed and (
                 tier.precisions == PRECISIONS or tier.name in of.scene.tiers
                 or all_of_them and not tier.on_request):
             with suppress(NoFunctionsError):

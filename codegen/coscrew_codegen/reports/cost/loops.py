@@ -10,12 +10,12 @@ import numpy as np
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.python_extension.scene_calls import BINDING
+from coscrew_codegen.backends.python_extension.scene_calls import BINDING, binding_units
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c, scene_c_tier
 from coscrew_codegen.backends.scene.scene_text import banner_of, c_name, outputs, size
 from coscrew_codegen.program.scene_functions import FunctionProgram, IntegratorStep, SceneFunctions
-from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE, Precision, named
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision, named
 from coscrew_codegen.reports.cost.effect_ablation import WHOLE, Ablation
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers
@@ -80,10 +80,10 @@ def compiled(part: Ablation, functions: Sequence[FunctionProgram], compiler: Com
     made = dict(calls if part.words == WHOLE else scene)  # only the whole scene runs
     for tier in tiers:
         made |= scene_c_tier.files(tier, banner)
-    units = {x: (x,) for x in (*made, "loops.c", "driver.c") if x.endswith(".c") and x != BINDING}
+    units: dict[str, tuple[str, ...]] = {
+        x: (x,) for x in (*made, "loops.c", "driver.c") if x.endswith(".c") and x != BINDING}
     if BINDING in made:
-        units |= {f"calls_{p.name}": (BINDING, f"-DSINGLE_PRECISION={int(p is SINGLE)}")
-                  for p in named(part.functions.precisions)}
+        units |= binding_units(named(part.functions.precisions))
     files |= made
     return CompiledLoops(part, library(units, files, compiler).opened, tuple(tiers))
 

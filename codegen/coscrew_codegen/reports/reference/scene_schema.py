@@ -9,7 +9,7 @@ from coscrew_codegen.backends.render import LICENSE
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.readers.toml.keys import SCENE, Key, TableOf
-from coscrew_codegen.scene.readers.toml.trajectories import KEYS
+from coscrew_codegen.scene.readers.toml.trajectories.trajectory_table import KEYS
 
 Schema = dict[str, object]
 

@@ -20,6 +20,10 @@ Compile = Callable[[str, Mapping[str, Sequence[str]], Mapping[str, str]], ctypes
 nothing compiles."""
 
 
+LONGEST = 30_000
+"""Instructions times inputs of functions with Jacobians."""
+
+
 @dataclass(frozen=True, eq=False)
 class ArrayFunction:
     """A plain Program as a function of arrays with leading axes.  `smooth` is the same function
@@ -55,6 +59,16 @@ class ArrayFunction:
     def adjoint(self) -> "ArrayFunction":
         """(x, w) -> w ∂y/∂x for weights w of y."""
         return self._derived(derivatives.adjoint(self.smooth or self.program))
+
+    @cached_property
+    def jacobian(self) -> "ArrayFunction | None":
+        """x -> ∂y/∂x of each result, with the components of all inputs as columns; None for
+        operations, whose slopes may be infinite, and for functions whose Jacobian is too long."""
+        program, columns = self.smooth or self.program, sum(prod(shape) for _, shape in self.inputs)
+        if not self.compile or columns * len(program.instructions) > LONGEST:
+            return None
+        return ArrayFunction(f"{self.name}_jacobian", derivatives.jacobian(program),
+                             compile=self.compile)
 
     def _derived(self, program: Program) -> "ArrayFunction":
         last = len(self.program.outputs)

@@ -25,6 +25,8 @@ from coscrew_codegen.runtime.arrays.compiled import handler
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, Shape
 
 LIBRARY = ArrayLibrary(jnp)
+FEWEST = 3
+"""Directions for which the Jacobian is computed instead of tangents."""
 _NUMBERS = count()
 """Of handlers: scenes may share names."""
 
@@ -98,6 +100,32 @@ def _batched(primitive: Primitive, rows: Sequence[Any], axes: Sequence[int | Non
     outputs = _bound(primitive, *(_flat(x, axis, members, states) for x, axis in zip(
         rows, axes, strict=True)), function=function, states=members * states)
     return [y.reshape(members, states, y.shape[-1]) for y in outputs], [0] * len(outputs)
+
+
+def _linear_batched(rows: Sequence[Any], axes: Sequence[int | None], *, function: ArrayFunction,
+                    states: int) -> tuple[list[Any], list[int]]:
+    """Many directions at one place, as jacfwd takes them, are multiplied by the Jacobian."""
+    half = len(rows) // 2
+    directions = [x if axis is None else jnp.moveaxis(x, axis, 0)
+                  for x, axis in zip(rows[half:], axes[half:], strict=True)]
+    shared = all(axis is None for axis in axes[:half]) and all(x.shape[-2] == 1 for x in directions)
+    members = next(rows[k].shape[axis] for k, axis in enumerate(axes) if axis is not None)
+    if members < FEWEST or not shared or not (jacobian := function.jacobian):
+        return _batched(linear, rows, axes, function=function, states=states)
+    D = jnp.concatenate([jnp.broadcast_to(x.reshape(-1, x.shape[-1]), (members, x.shape[-1]))
+                         for x in directions], axis=1)
+    matrices = _bound(value, *rows[:half], function=jacobian, states=states)
+    return [_product(J.reshape(states, -1, D.shape[1]), D) for J in matrices], [2] * len(matrices)
+
+
+def _product(J: Any, D: Any) -> Any:
+    """J (states, rows, columns) times each direction; of unit directions in order, columns of J."""
+    first, (members, columns) = jnp.argmax(D[0]), D.shape
+    units = jnp.arange(columns) == first + jnp.arange(members)[:, None]
+    return jax.lax.cond(
+        jnp.all(units == D) & (first + members <= columns),
+        lambda J: jax.lax.dynamic_slice_in_dim(J, first, members, 2),
+        lambda J: jnp.einsum("soi,mi->som", J, D), J)
 
 
 def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
@@ -175,8 +203,9 @@ for primitive, jvp, shapes in ((value, _value_jvp, _shapes), (linear, _linear_jv
     primitive.multiple_results = True
     primitive.def_impl(partial(_evaluated, primitive))
     primitive.def_abstract_eval(shapes or _along(_shapes))
-    batching.primitive_batchers[primitive] = partial(_batched, primitive)
     ad.primitive_jvps[primitive] = jvp
+batching.primitive_batchers[value] = partial(_batched, value)
+batching.primitive_batchers[linear] = _linear_batched
 ad.primitive_transposes[linear] = _transposed
 mlir.register_lowering(value, mlir.lower_fun(_printed, multiple_results=True))
 mlir.register_lowering(linear, mlir.lower_fun(_along(_printed), multiple_results=True))

@@ -7,7 +7,7 @@ from pathlib import Path
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
 from coscrew_codegen.scene.mechanism.collision import Collision
-from coscrew_codegen.scene.mechanism.loop import ClosedLoop, LoopEnd
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
@@ -43,9 +43,9 @@ def attached(parts: Parts, source: ModelSource, to: str, at: Placement, prefix: 
                    for x in tree.joints)
     bodies = tuple(replace(x, name=f"{prefix}{x.name}") for x in tree.bodies)
     shapes = tuple(_shape(x, to, at, prefix) for x in parts.collisions)
-    loops = tuple(_loop(x, to, at, prefix) for x in parts.loops)
-    return _renamed(replace(parts, bodies=bodies, joints=joints, collisions=shapes, loops=loops),
-                    parts, source, prefix)
+    return _renamed(replace(parts, bodies=bodies, joints=joints, collisions=shapes,
+                            loops=tuple(_loop(x, to, at, prefix) for x in parts.loops)), parts,
+                    source, prefix)
 
 
 def _joint(joint: Joint, to: str, at: Placement, prefix: str, name: str) -> Joint:
@@ -68,17 +68,15 @@ def _shape(shape: Collision, to: str, at: Placement, prefix: str) -> Collision:
 
 
 def _loop(loop: ClosedLoop, to: str, at: Placement, prefix: str) -> ClosedLoop:
-    """The loop by its new name, between bodies by theirs."""
-    first, second = (_end(x, to, at, prefix) for x in (loop.first, loop.second))
+    """The loop by its new name, and those of its bodies; points of the model's world are of the
+    body that it is attached to."""
+    first, second = (
+        replace(x, body=f"{prefix}{x.body}") if x.body != WORLD else
+        replace(x, body=to, point=composed(at, Placement(x.R, x.point)).t,
+                R=composed(at, Placement(x.R, x.point)).R,
+                axis=composed(Placement(at.R, HERE.t), Placement(HERE.R, x.axis)).t)
+        for x in (loop.first, loop.second))
     return replace(loop, name=f"{prefix}{loop.name}", first=first, second=second)
-
-
-def _end(end: LoopEnd, to: str, at: Placement, prefix: str) -> LoopEnd:
-    if end.body != WORLD:
-        return replace(end, body=f"{prefix}{end.body}")
-    place, axis = composed(at, Placement(end.R, end.point)), Placement(HERE.R, end.axis)
-    turned = composed(Placement(at.R, HERE.t), axis).t
-    return LoopEnd(to, place.t, place.R, turned)
 
 
 def _renamed(parts: Parts, old: Parts, source: ModelSource, prefix: str) -> Parts:

@@ -65,7 +65,7 @@ class Parts:
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # content that was read and is not used
     collisions: tuple[Collision, ...] = ()
-    loops: tuple[ClosedLoop, ...] = ()  # closures besides the joints
+    loops: tuple[ClosedLoop, ...] = ()
     elsewhere: Mapping[str, tuple[Path, str]] = field(default_factory=dict)  # elements that come
     # from other files, with the place there: "joint 'grip'": (arm.toml, "joints.grip")
 
@@ -85,8 +85,7 @@ class Parts:
             all_notices = (*notices(self.effects, clean), *notices(self.offered, clean),
                            *self.notices)
             return judged(replace(clean, implausible=self.implausible, notices=all_notices,
-                                  collisions=self.collisions, loops=self.loops),
-                          source.implausible)
+                                  collisions=self.collisions, loops=self.loops), source.implausible)
 
     def mimics_by_file(self, source: ModelSource) -> dict[str, str]:
         """The places of followers, with the file's name: "arm.urdf, line 7"."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from coscrew_codegen.backends.html.pages import Json
 from coscrew_codegen.scene.effect import FIRST, SECOND, Place
+from coscrew_codegen.scene.mechanism.loop import ROD
 from coscrew_codegen.scene.recorded_quantities import Recorded, recorded
 from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.scene.units import UNITS
@@ -133,7 +134,8 @@ def _point(system: System, applied: Applied) -> list[float]:
 
 
 def ties(system: System) -> Iterator[Json]:
-    """The springs between two bodies, and the rods on which bodies slide."""
+    """The springs between two bodies, the rods that close loops, and those on which bodies slide.
+    """
     model = system.scene.model
     bodies = {"world": -1, **{body.name: n for n, body in enumerate(model.bodies)}}
     for applied in system.scene.effects:
@@ -142,6 +144,10 @@ def ties(system: System) -> Iterator[Json]:
                                                                ).tolist()}
                     for name, which in zip(applied.bodies, (FIRST, SECOND), strict=True)]
             yield {"ends": ends, "spring": True}
+    for loop in (x for x in model.loops if x.kind is ROD):
+        yield {"spring": False, "ends": [
+            {"body": bodies[x.body], "point": [*map(float, x.point)]}
+            for x in (loop.first, loop.second)]}
     if not any(body.visuals for body in model.bodies):
         for joint in model.joints:
             if joint.kind.moves and not joint.kind.floats and any(

@@ -8,7 +8,7 @@ from coscrew_codegen.backends.html import pages
 from coscrew_codegen.reports.cost.cost_measurement import Costs
 from coscrew_codegen.reports.cost.figures import cost_figure
 from coscrew_codegen.reports.cost.figures.cost_tables import about, accuracies, others
-from coscrew_codegen.reports.cost.needs import need_table
+from coscrew_codegen.reports.cost.needs import core_costs, need_table
 from coscrew_codegen.reports.cost.recommendations import sentences
 from coscrew_codegen.reports.processor import processor, system
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
@@ -29,7 +29,8 @@ def page(costs: Costs, command: str) -> str:
         tiers=[tier for tier in OF_SCENES if tier.name in measured],
         functions=[x.inline for x in cost_figure.functions(costs)],
         runs=[x.inline for x in cost_figure.runs(costs)],
-        answers=[need_table.table(costs.answers)] if costs.answers else [],
+        answers=[*([need_table.table(costs.answers)] if costs.answers else []),
+                 *([core_costs.table(costs.cores)] if costs.cores else [])],
         advice=[sentences(rows) for rows in costs.accuracy],
         accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
         others=tuple(others(costs)), source=(

@@ -14,7 +14,7 @@ from coscrew_codegen.reports.cost.function_errors import (
     units_with_errors,
 )
 from coscrew_codegen.reports.cost.measured import DIGITS
-from coscrew_codegen.reports.cost.needs import need_table
+from coscrew_codegen.reports.cost.needs import core_costs, need_table
 from coscrew_codegen.reports.cost.recommendations import AFFORDABLE, better, recommended, sentences
 from coscrew_codegen.reports.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.reports.cost.run_errors import RunErrors
@@ -50,6 +50,7 @@ def table(costs: Costs) -> str:
     head = (f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
             "in which all variants take turns")
     parts = [head, *([need_table.table(costs.answers).text()] if costs.answers else []),
+             *([core_costs.table(costs.cores).text()] if costs.cores else []),
              *map(wrapped, about(costs))]
     for rows in costs.accuracy:
         parts += [x.text() for x in accuracies(rows)] + ["\n".join(sentences(rows))]

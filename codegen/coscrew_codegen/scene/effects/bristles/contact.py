@@ -182,7 +182,7 @@ EFFECT = Effect(
      ParameterOf("point", "m", "centre of the shape, in the body's frame", "vector",
                  (Fraction(0),) * 3),
      ParameterOf("radius", "m", "radius", of=("sphere", "capsule", "disc"), positive=True),
-     ParameterOf("axis", "", "direction of a capsule, or a disc's axis, in the body's frame",
+     ParameterOf("axis", "1", "direction of a capsule, or a disc's axis, in the body's frame",
                  "vector", (Fraction(0), Fraction(0), Fraction(1)), of=("capsule", "disc")),
      ParameterOf("length", "m", "distance between the centres of a capsule's ends",
                  of=("capsule",), positive=True),

@@ -16,7 +16,7 @@ def _ground(values: Values, point: Vector) -> tuple[Number, Vector]:
 EFFECT = Effect(
     "ground", "the plane that contacts stand on; without it, z = 0", "n·x = offset, |n| = 1",
     Place.SCENE,
-    (ParameterOf("normal", "", "direction out of the ground, in the world's frame", "vector",
+    (ParameterOf("normal", "1", "direction out of the ground, in the world's frame", "vector",
                  (Fraction(0), Fraction(0), Fraction(1))),
      ParameterOf("offset", "m", "the plane's distance from the origin, along the normal",
                  default=0)),

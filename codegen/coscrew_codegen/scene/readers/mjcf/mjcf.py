@@ -30,7 +30,7 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
-from coscrew_codegen.scene.readers.mjcf.mjcf_loops import loops
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import MjcfLoops, loops
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
@@ -49,17 +49,18 @@ def _parts(source: ModelSource) -> Parts:
     names = MjcfNames(model)
     left_out, drives = tuple(refused(source, model, names)), actuators(model, names)
     seen = MjcfVisuals(model)
-    parts = [x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)]
+    closed = MjcfLoops() if "loops" in source.leave_out else loops(model, names)
+    parts = [*(x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)),
+             *closed.frames]
     return Parts(
         source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
         tuple(x for x in parts if isinstance(x, Joint)),
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
         offered=tendons(model, names).offered,
         start=_start(model, names),
-        loops=() if "loops" in source.leave_out else tuple(loops(model, names)),
         notices=(*left_out, *ignored(model, names), *(
             Notice("other tools' numbers", "model", f"MuJoCo warns: {x}") for x in warnings)),
-        collisions=tuple(collisions(model, names, seen)))
+        loops=tuple(closed.loops), collisions=tuple(collisions(model, names, seen)))
 
 
 def _warned(source: ModelSource) -> "tuple[mujoco.MjModel, list[str]]":

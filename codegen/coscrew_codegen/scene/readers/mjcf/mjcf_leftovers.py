@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
-from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closes
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closings, idle
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, one_coordinate
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -16,9 +16,8 @@ from coscrew_codegen.scene.readers.scene_error import SceneError
 if TYPE_CHECKING:
     import mujoco
 
-_LOOPS = "loops"
 GROUPS: Mapping[str, str] = {
-    _LOOPS: "closes a loop of bodies",
+    "loops": "closes a loop of bodies, and is kept unless it is named here",
     "equalities": "is no line between two joints of one coordinate, or the second of a joint",
     "tendons": "pulls, and is no sum of joints' coordinates with one length at rest, or has an "
                "armature",
@@ -28,24 +27,25 @@ GROUPS: Mapping[str, str] = {
     "fluid": "makes forces of a fluid",
     "flexes": "is not rigid",
     "plugins": "runs code"}
-"""What `leave_out` may name, and why it is not kept; loops are, unless they are left out."""
+"""What `leave_out` may name, and why it is not kept."""
 
 _OTHER = "other tools' numbers"
 
 
 def refused(source: ModelSource, model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
     """Notices of what the scene leaves out.  Raises SceneError for the first that it does not."""
-    for group, element in _unkept(model, names, source.leave_out):
+    for group, element in _unkept(model, names):
+        if group == "loops" and group not in source.leave_out:
+            continue  # they are kept
         if group not in source.leave_out:
             raise SceneError(source.path, element, f"{GROUPS[group]}; leave_out = [\"{group}\"] in "
                              f"the scene, or --leave-out {group}, leaves it out")
         yield Notice(_OTHER, element, f"{element}: left out ({group})")
 
 
-def _unkept(model: "mujoco.MjModel", names: MjcfNames, leave_out: tuple[str, ...]
-            ) -> Iterator[tuple[str, str]]:
+def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
     """Group and element."""
-    yield from _equalities(model, leave_out)
+    yield from _equalities(model)
     yield from tendons(model, names).refused
     for name in actuators(model, names).refused:
         yield "actuators", name
@@ -61,17 +61,15 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames, leave_out: tuple[str, ...
         yield "plugins", "plugin"
 
 
-def _equalities(model: "mujoco.MjModel", leave_out: tuple[str, ...]
-                ) -> Iterator[tuple[str, str]]:
-    """The equalities that are no followers, and no loops, unless these are left out."""
+def _equalities(model: "mujoco.MjModel") -> Iterator[tuple[str, str]]:
     import mujoco
 
-    led: set[int] = set()
+    loops, led = {*closings(model)}, set[int]()
     for e in range(model.neq):
         if follows(model, e) and (y := int(model.eq_obj1id[e])) not in led:
             led.add(y)
-        elif model.eq_active0[e] and (_LOOPS in leave_out or not closes(model, e)):
-            group = _LOOPS if closes(model, e) else "equalities"
+        elif e in loops or model.eq_active0[e] and not idle(model, e):
+            group = "loops" if e in loops else "equalities"
             kind = mujoco.mjtEq(int(model.eq_type[e])).name.removeprefix("mjEQ_").lower()
             yield group, f"equality {kind} {model.equality(e).name or e!r}"
 
@@ -100,6 +98,9 @@ def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
         if not model.eq_active0[e]:
             yield Notice(_OTHER, f"equality {e}", f"equality {model.equality(e).name or e!r}: is "
                          "not active at the start, and not used")
+        elif idle(model, e):
+            yield Notice(_OTHER, f"equality {e}", f"equality {model.equality(e).name or e!r}: "
+                         "holds bodies that cannot move against each other, and is not used")
     count = int(((model.geom_contype != 0) | (model.geom_conaffinity != 0)).sum())
     if count:
         yield Notice(_OTHER, "model", f"{count} geoms may touch others in MuJoCo: contact is not "

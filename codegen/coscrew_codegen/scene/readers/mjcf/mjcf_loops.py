@@ -1,56 +1,107 @@
-"""Closed loops of an MJCF: its equalities `connect` and `weld`, which are exact here and soft in
-MuJoCo."""
+"""Closed loops of an MJCF: bodies that an equality connects at a point, or welds."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.mechanism import rotations
-from coscrew_codegen.scene.mechanism.loop import FRAME, POINT, ClosedLoop, LoopEnd
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
+from coscrew_codegen.scene.mechanism.loop import FRAME, POINT, ClosedLoop, LoopEnd, LoopKind
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Placement
+from coscrew_codegen.scene.mechanism.rotations import from_quaternion
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 
 if TYPE_CHECKING:
     import mujoco
 
 
-def closes(model: "mujoco.MjModel", e: int) -> bool:
-    """Returns whether an active equality closes a loop of bodies."""
+@dataclass
+class MjcfLoops:
+    """The loops, and the frames, fixed to bodies, that welds hold together."""
+
+    loops: list[ClosedLoop] = field(default_factory=list)
+    frames: list[Body | Joint] = field(default_factory=list)
+
+
+def closings(model: "mujoco.MjModel") -> Iterator[int]:
+    """The equalities that close loops: active ones of two bodies, or sites, that can move against
+    each other."""
+    for e in range(model.neq):
+        if model.eq_active0[e] and _kind(model, e) and len({
+                int(model.body_weldid[x]) for x in _bodies(model, e)}) > 1:
+            yield e
+
+
+def idle(model: "mujoco.MjModel", e: int) -> bool:
+    """Returns whether an equality holds bodies that cannot move against each other."""
+    return _kind(model, e) is not None and e not in closings(model) and bool(model.eq_active0[e])
+
+
+def name_of(model: "mujoco.MjModel", e: int) -> str:
+    """The name of a loop."""
+    return model.equality(e).name or f"equality{e}"
+
+
+def loops(model: "mujoco.MjModel", names: MjcfNames) -> MjcfLoops:
+    """Returns the loops of a model."""
+    result = MjcfLoops()
+    for e in closings(model):
+        kind, name = _kind(model, e), name_of(model, e)
+        assert kind
+        ends: list[LoopEnd] = []
+        for body, place, word in zip(_bodies(model, e), _places(model, e), ("first", "second"),
+                                     strict=True):
+            on = names.body(body)
+            if kind is FRAME and place.R != HERE.R:
+                frame = names.new_body(f"{name}/{word}")
+                result.frames += (Body(frame), Joint(names.new_joint(f"{frame}/frame"), FIXED, on,
+                                                     frame, place))
+                ends.append(LoopEnd(frame))
+            else:
+                ends.append(LoopEnd(on, place.t))
+        first, second = ends
+        result.loops.append(ClosedLoop(name, kind, first, second))
+    return result
+
+
+def _kind(model: "mujoco.MjModel", e: int) -> LoopKind | None:
+    """The kind of closure; None of other equalities.  A weld without torque holds a point."""
     import mujoco
 
-    kinds = (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD))
-    return int(model.eq_type[e]) in kinds and bool(model.eq_active0[e])
+    kind, kinds = int(model.eq_type[e]), mujoco.mjtEq
+    if kind == int(kinds.mjEQ_WELD):
+        return FRAME if model.eq_data[e][10] else POINT
+    return POINT if kind == int(kinds.mjEQ_CONNECT) else None
 
 
-def loops(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[ClosedLoop]:
-    """The loops, by the names of their equalities, or equality3."""
+def _of_sites(model: "mujoco.MjModel", e: int) -> bool:
     import mujoco
 
-    for e in (e for e in range(model.neq) if closes(model, e)):
-        welds = int(model.eq_type[e]) == int(mujoco.mjtEq.mjEQ_WELD)
-        of_sites = int(model.eq_objtype[e]) == int(mujoco.mjtObj.mjOBJ_SITE)
-        ends = _of_sites(model, names, e) if of_sites else _of_bodies(model, names, e, welds)
-        yield ClosedLoop(model.equality(e).name or f"equality{e}", FRAME if welds else POINT, *ends)
+    return int(model.eq_objtype[e]) == int(mujoco.mjtObj.mjOBJ_SITE)
 
 
-def _of_sites(model: "mujoco.MjModel", names: MjcfNames, e: int) -> tuple[LoopEnd, LoopEnd]:
-    """The ends at two sites."""
-    sites = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
-    first, second = (LoopEnd(names.body(int(model.site_bodyid[s])), exact(model.site_pos[s]),
-                             _rotation(model.site_quat[s])) for s in sites)
+def _bodies(model: "mujoco.MjModel", e: int) -> tuple[int, int]:
+    """The numbers of both bodies."""
+    first, second = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
+    if _of_sites(model, e):
+        return int(model.site_bodyid[first]), int(model.site_bodyid[second])
     return first, second
 
 
-def _of_bodies(model: "mujoco.MjModel", names: MjcfNames, e: int, welds: bool
-               ) -> tuple[LoopEnd, LoopEnd]:
-    """The ends at two bodies.  A weld's data are the point in the second body, that in the first,
-    and the rotation of the second in the first."""
-    data, bodies = model.eq_data[e], [names.body(int(x[e])) for x in (
-        model.eq_obj1id, model.eq_obj2id)]
-    points = exact(data[:3]), exact(data[3:6])
-    if not welds:
-        return LoopEnd(bodies[0], points[0]), LoopEnd(bodies[1], points[1])
-    return LoopEnd(bodies[0], points[1], _rotation(data[6:10])), LoopEnd(bodies[1], points[0])
+def _places(model: "mujoco.MjModel", e: int) -> tuple[Placement, Placement]:
+    """The frames that coincide, each in its body: of a weld the second body has the rotation
+    data[6:10] in the first."""
+    import mujoco
+
+    data = model.eq_data[e]
+    if _of_sites(model, e):
+        first, second = (_placement(model.site_pos[x], model.site_quat[x])
+                         for x in (model.eq_obj1id[e], model.eq_obj2id[e]))
+        return first, second
+    if int(model.eq_type[e]) == int(mujoco.mjtEq.mjEQ_WELD):
+        return _placement(data[3:6], data[6:10]), Placement(HERE.R, exact(data[:3]))
+    return Placement(HERE.R, exact(data[:3])), Placement(HERE.R, exact(data[3:6]))
 
 
-def _rotation(wxyz: Sequence[float]) -> rotations.Entries:
+def _placement(xyz: Sequence[float], wxyz: Sequence[float]) -> Placement:
     w, x, y, z = exact(wxyz)
-    return rotations.from_quaternion((x, y, z, w))
+    return Placement(from_quaternion((x, y, z, w)), exact(xyz))

@@ -9,7 +9,7 @@ from coscrew_codegen.scene.formulas import Formula, FormulaError
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described
-from coscrew_codegen.scene.readers.toml.trajectories import trajectory
+from coscrew_codegen.scene.readers.toml.trajectories.trajectory_table import trajectory
 from coscrew_codegen.scene.scene import Setting
 
 

@@ -12,9 +12,9 @@ from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.toml import effect_settings
-from coscrew_codegen.scene.readers.toml.interpolant import Interpolant
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
+from coscrew_codegen.scene.readers.toml.trajectories.interpolant import Interpolant
 from coscrew_codegen.scene.scene import Setting
 
 ALL, MODEL = "all", "model"

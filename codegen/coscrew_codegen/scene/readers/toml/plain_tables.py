@@ -7,7 +7,7 @@ from fractions import Fraction
 from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
-from coscrew_codegen.scene.mechanism.loop import HINGE, ClosedLoop, LoopEnd
+from coscrew_codegen.scene.mechanism.loop import HINGE, ROD, ClosedLoop
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement, value
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
@@ -27,12 +27,10 @@ def scene_text(name: str, model: Model, runtime: Sequence[str], effects: Mapping
         lines += toml_pairs({"runtime": runtime})
     if model.implausible:
         lines += toml_pairs({"implausible": WARN})
-    frames = {f"{x.name}.{n}": end for x in model.loops
-              for n, end in enumerate((x.first, x.second), 1) if end.R != HERE.R}
     lines += ["", "[bodies]", *toml_pairs({x.name: _body(x) for x in model.bodies})]
     lines += ["", "[joints]", *toml_pairs({x.name: _joint(x) for x in model.joints})]
     for loop in model.loops:
-        lines += ["", *_loop(loop, frames)]
+        lines += ["", f"[loops.{toml_key(loop.name)}]", *toml_pairs(_loop(loop))]
     for effect, table in effects.items():
         lines += ["", *_effect(effect, table)]
     if start:
@@ -48,26 +46,6 @@ def _effect(effect: str, table: object) -> Iterator[str]:
         return
     for on, values in table.items():
         yield from (f"[effects.{effect}.{toml_key(on)}]", *toml_pairs(values))
-
-
-def _loop(loop: ClosedLoop, frames: Mapping[str, LoopEnd]) -> Iterator[str]:
-    """The table of a loop, after those of the frames that turn its ends."""
-    table: dict[str, object] = {"kind": loop.kind.name, "bodies": []}
-    bodies = []
-    for n, (key, end) in enumerate((("first", loop.first), ("second", loop.second)), 1):
-        name = f"{loop.name}.{n}"
-        bodies.append(name if name in frames else end.body)
-        if name in frames:
-            place = _origin(Placement(end.R, end.point))
-            yield from (f"[frames.{toml_key(name)}]", *toml_pairs({"to": end.body, **place}))
-        else:
-            table[key] = _numbers(end.point)
-    table |= {"bodies": bodies}
-    if loop.kind is HINGE:
-        table |= {"axis": _numbers(loop.first.axis), "axis2": _numbers(loop.second.axis)}
-    if loop.length:
-        table["length"] = _number(loop.length)
-    yield from (f"[loops.{toml_key(loop.name)}]", *toml_pairs(table))
 
 
 def _body(body: Body) -> dict[str, object]:
@@ -97,6 +75,19 @@ def _joint(joint: Joint) -> dict[str, object]:
     if joint.mimic:
         table["mimic"] = {"joint": joint.mimic.joint, "multiplier": _number(
             joint.mimic.multiplier), "offset": _number(joint.mimic.offset)}
+    return table
+
+
+def _loop(loop: ClosedLoop) -> dict[str, object]:
+    """The keys of a loop whose frames are those of their bodies, as all that files have."""
+    first, second = loop.first, loop.second
+    table: dict[str, object] = {"kind": loop.kind.name, "bodies": list(loop.bodies)}
+    table |= {key: _numbers(x.point) for key, x in (("first", first), ("second", second))
+              if any(x.point)}
+    if loop.kind is HINGE:
+        table |= {"axis": _numbers(first.axis), "axis2": _numbers(second.axis)}
+    if loop.kind is ROD:
+        table["length"] = _number(loop.length)
     return table
 
 

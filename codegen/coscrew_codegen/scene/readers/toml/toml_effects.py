@@ -16,7 +16,7 @@ from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, Ef
 from coscrew_codegen.scene.readers.toml.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
-from coscrew_codegen.scene.readers.toml.trajectories import is_trajectory
+from coscrew_codegen.scene.readers.toml.trajectories.trajectory_table import is_trajectory
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from coscrew_codegen.scene.readers.contents import read_text
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError
-from coscrew_codegen.scene.readers.toml.interpolant import MOST, Interpolant
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
+from coscrew_codegen.scene.readers.toml.trajectories.interpolant import MOST, Interpolant
 
 _SIZE = 2**24  # bytes
 KEYS = ("file", "column", "time")

@@ -1,0 +1,1 @@
+"""Targets that follow the points of tables."""
