@@ -19,11 +19,13 @@ if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need 
 LONG = frozenset("""
     test_absence test_accurate_functions test_cache test_calibration test_certified_scenes
     test_check test_check_advice test_check_alarms test_check_bounces test_checkers test_climb
+    test_closed_loops test_closed_loops_of_pinocchio
     test_command_line test_cost test_cost_accuracy test_cost_files test_cross test_documents
     test_elementary_attack test_encodings test_examples test_family_cache test_flags
     test_found test_generate test_generate_scene test_gufuncs test_hard_cases
     test_hard_effects test_headers test_implausible test_integrators test_inverses
-    test_load_scene test_minimax test_motions test_mujoco test_packaging test_parity
+    test_load_scene test_loop_bits test_loop_rows test_loop_tables
+    test_minimax test_motions test_mujoco test_packaging test_parity
     test_pinocchio test_random_robots test_recording test_references test_report_command
     test_report_files test_report_measure test_report_page test_roundings test_sanitizers
     test_scene_accuracy test_scene_agreement test_scene_arrays test_scene_bounds

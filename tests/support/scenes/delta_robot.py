@@ -1,5 +1,5 @@
-"""A Delta robot with six rods that have masses: three arms on the world, rods in ball joints at their
-ends, a platform that floats and closes the loops."""
+"""A Delta robot with six rods that have masses: three arms on the world, rods in ball joints at
+their ends, a platform that floats and closes the loops."""
 
 from dataclasses import dataclass
 

@@ -24,19 +24,19 @@ from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of,
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
-from coscrew_codegen.scene.readers.toml.accuracy_table import (
-    limits_used,
-    read_accuracy,
-    refuse_faults,
-)
 from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
-from coscrew_codegen.scene.readers.toml.ranges_table import limits_in_ranges, read_ranges
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
+from coscrew_codegen.scene.readers.toml.tables.accuracy_table import (
+    limits_used,
+    read_accuracy,
+    refuse_faults,
+)
+from coscrew_codegen.scene.readers.toml.tables.loops_table import read_loops
+from coscrew_codegen.scene.readers.toml.tables.ranges_table import limits_in_ranges, read_ranges
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
-from coscrew_codegen.scene.readers.toml.toml_loops import read_loops
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import besides, unused

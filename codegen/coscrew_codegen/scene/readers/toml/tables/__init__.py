@@ -1,0 +1,1 @@
+"""Tables of scene files on loops of the model, and on ranges and accuracy of its functions."""
