@@ -105,7 +105,7 @@ class Scene:
     implausible: str = "error"  # or warn: bodies that cannot exist are accepted
     start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
     start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
-    start_x: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by effect
+    start_x: Mapping[str, float] = field(default_factory=dict)  # by column
     record: tuple[str, ...] = ("q", "v")
     every: float = 0.01
     run: Run = Run()

@@ -14,7 +14,6 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime.step_calls import Driven, InC, Take
-from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
@@ -169,9 +168,9 @@ class System:
         for c in self.functions.coordinates:
             q[c.q] = self.scene.start_q.get(c.joint, q[c.q])
             v[c.v] = self.scene.start_v.get(c.joint, v[c.v])
-        for x in states_of(self.scene):
-            places = [len(q) - len(self.functions.states) + place for place in x.places]
-            q[places] = self.scene.start_x.get(x.name, q[places])
+        first = len(q) - len(self.functions.states)
+        for place, (column, _) in enumerate(self.functions.states, first):
+            q[place] = self.scene.start_x.get(column, q[place])
         with np.errstate(over="ignore"):  # in single precision; `integrate` refuses infinities
             return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
 

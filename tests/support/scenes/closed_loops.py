@@ -46,10 +46,6 @@ q = {{ {", ".join(f"{name} = {x!r}" for name, x in start.items())} }}
 """
 
 
-BETA = 15.81077119629904
-"""Angle beta of Andrews' mechanism after 0.03 s, as published."""
-
-
 def linked_four_bars(loops: str = "point", g: float = 9.81) -> str:
     """Two four-bar linkages of equal rods of 1 m and 1 kg, side by side (A02 of the IFToMM library
     of benchmarks): one freedom, and all rods in line at dead points.

@@ -288,12 +288,13 @@ def _start_v(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
             for key in table.values}
 
 
-def _start_x(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
-    """States of effects, by effect."""
+def _start_x(table: TomlTable, scene: Scene) -> Mapping[str, float]:
+    """States of effects, by the names of their columns."""
     states = {x.name: x for x in states_of(scene)}
-    return {key: tuple(float(x) for x in _start(
-        table, key, len(states[table.known(key, key, "effect with states", states)].units)))
-        for key in table.values}
+    by_effect = {key: states[table.known(key, key, "effect with states", states)]
+                 for key in table.values}
+    return {column: float(x) for key, own in by_effect.items() for column, x in zip(
+        own.columns, _start(table, key, len(own.units)), strict=True)}
 
 
 def _start(table: TomlTable, key: str, count: int) -> tuple[Fraction, ...]:
