@@ -44,7 +44,7 @@ class Values:
         """Three numbers, if there are any."""
         return None if self.given[name] is None else self.vector(name)
 
-    def surface(self, name: str) -> "Surface | None":
+    def surface(self, name: str) -> Surface | None:
         """A function of a place, if there is one."""
         value = self.given[name]
         return value if callable(value) else None

@@ -108,8 +108,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                                                        ("every", every, system.scene.every)))
     made = Plan(until, every, known(run.integrator if integrator is None else integrator), step,
                 *tolerances(system), also, begin=begin)
-    if problem := why_not_moved(system.scene, made.integrator):
-        raise SimulateError(f"integrator {problem}")
+    if system.functions.states and not INTEGRATOR_NAMED[made.integrator].moves_states:
+        raise SimulateError(f"integrator {why_not_moved(system.scene, made.integrator)}")
     called = INTEGRATOR_NAMED[made.integrator].step_name
     if called and not system.has(called):
         raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "
