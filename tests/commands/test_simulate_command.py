@@ -66,7 +66,8 @@ def test_a_urdf_alone_runs_and_says_what_acts(tmp_path, capsys):
     assert first == ("coscrew: arm.urdf alone: gravity, viscous at 1 joint act; limits, friction "
                      "and drives take a scene file")
     assert unused == ["coscrew: not used: friction, limits, effort and velocity of joint hinge "
-                      "(add [effects.coulomb], [effects.limit], [effects.actuator]; --verbose "
+                      "(add [effects.coulomb], [effects.limit], [effects.actuator], "
+                      "[effects.speed_limit]; --verbose "
                       "lists them with what to write)"]
 
 

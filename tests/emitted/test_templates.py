@@ -28,6 +28,9 @@ EXEMPT = {
         "array.h", "euler.h", "inertia.h", "next_angles", "quaternion.h", "trig.h")},
     "c/ksl_types.h.jinja": "a version's number as an integer",
     "c/ksl_exact.h.jinja": PRIMITIVES,
+    **{f"scene/{x}.jinja": PRIMITIVES for x in (
+        "coscrew_fixed.h", "fixed.py", "fixed_products", "fixed_sine")},
+    "scene/fixed.c.jinja": "rounds arguments to integers, which have no Program",
     **{f"{x}.jinja": PLACES for x in (
         "gufunc/module.c", "gufunc/lanes", "gufunc/checks",
         "gufunc/_lanes.h", "python/_arrays.py",

@@ -168,7 +168,8 @@ def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: 
     """The content of the library's file."""
     from concurrent.futures import ThreadPoolExecutor
 
-    with doing(f"compiling {' and '.join(sorted(units))}"), cache.building() as work:
+    own = sorted(name for name, (source, *_) in units.items() if not os.path.dirname(source))
+    with doing(f"compiling {' and '.join(own)}"), cache.building() as work:
         for file, text in files.items():
             (work / file).parent.mkdir(exist_ok=True)
             (work / file).write_text(text, encoding="utf-8")

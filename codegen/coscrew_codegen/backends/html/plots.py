@@ -51,6 +51,7 @@ _REPRODUCIBLE = {".svg": {"Date": None, "Creator": None}, ".png": {"Software": N
 _PLACES = tuple((dx * side, dy, ("right", "center", "left")[side + 1])
                 for dx, dy in ((9, 0), (0, 11), (0, -11), (9, 10), (9, -10), (9, 21), (9, -21),
                                (9, 32), (9, -32)) for side in ((1, -1) if dx else (0,)))
+_SPARE = 1.5  # px around a label: a browser's letters may be wider
 
 styled = matplotlib.rc_context(STYLE)
 """Decorates functions that draw."""
@@ -247,7 +248,7 @@ def place_labels(figure: Figure) -> None:
                 continue
             for dx, dy, side in _PLACES:
                 text.set(position=(dx, dy), ha=side)
-                box = text.get_window_extent()
+                box = text.get_window_extent().padded(_SPARE)
                 inside = axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 + 4
                 if inside and not box.count_overlaps(taken):
                     taken.append(box)
