@@ -99,9 +99,9 @@ def test_times_of_other_results_are_refused(factor, refused):
     result[3] *= factor
     if refused:
         with pytest.raises(ValueError, match="of arm: our results and those of Simple"):
-            pinocchio_loops.refuse_others(result, rival, "inverse_dynamics")
+            pinocchio_loops.refuse_others([result], rival, "inverse_dynamics")
     else:
-        pinocchio_loops.refuse_others(result, rival, "inverse_dynamics")
+        pinocchio_loops.refuse_others([result], rival, "inverse_dynamics")
 
 
 def test_frax_is_compared_too():

@@ -40,10 +40,11 @@ class FunctionOnM4:
         with TemporaryDirectory() as folder:
             for file, text in files.items():
                 (Path(folder) / file).write_text(text, encoding="utf-8")
-            made = cortex_m4.built(Path(folder), stem, choice.precision)
+            compiler = cortex_m4.COMPILER
+            made = cortex_m4.built(Path(folder), stem, choice.precision, compiler)
             return cortex_m4.counted(
                 made, stem, scene.named(self.name), c_name(scene, self.name, choice.precision),
-                [np.array(x) for x in state], choice.precision)[0]
+                [np.array(x) for x in state], choice.precision, compiler)[0]
 
     @cached_property
     def _plain(self) -> SceneFunctions:
