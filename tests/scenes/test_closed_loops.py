@@ -196,3 +196,12 @@ def test_methods_of_order_1_stay_on_closures(loaded: Loaded, name: str) -> None:
         assert closure(its, q) < 1e-12
     assert math.log2(errors[1] / errors[2]) > 0.9
     assert errors[-1] < 1e-2
+
+
+@pytest.mark.parametrize("integrator", ["leapfrog", "rk4"])
+def test_a_step_of_zero_moves_nothing(loaded: Loaded, integrator: str) -> None:
+    its = system(loaded(closed_loops.andrews(), "step_rk4"), "double")
+    q, v = moved(its, 1e-5, 100)
+    for end, start in zip(its.stepper(f"step_{integrator}")(1, 0.0, 0.0, q, v), (q, v),
+                          strict=True):
+        assert abs(end - start).max() < 1e-10 * abs(start).max()

@@ -89,8 +89,8 @@ def test_joints_that_move_together_are_named_with_a_remedy_that_works(written, c
            f"mass matrix is singular; wanted {remedy}")
     assert why_singular(read_scene(path)) == why
     assert main(["generate", str(path), "-o", str(tmp_path / "out")]) == 0
-    assert capsys.readouterr().err.splitlines()[-1] == (
-        f"r.toml: forward_dynamics and steps are left out: {why}")
+    assert (f"r.toml: forward_dynamics and steps are left out: {why}"
+            in capsys.readouterr().err.splitlines())
     assert main(["simulate", str(path)]) == 2
     assert capsys.readouterr().err.endswith(f"divides by the mass matrix, but {why}\n")
     cured = written(urdf, remedy.replace(" with ", "\n").replace(" and ", "\n")

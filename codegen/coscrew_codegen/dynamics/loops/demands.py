@@ -1,9 +1,8 @@
 """Demands of closed loops on accelerations, and the corrections of states that have left them."""
 
 from collections.abc import Sequence
-from fractions import Fraction
 
-from coscrew_codegen.algebra.recording.numbers import Number, add, negative, scaled
+from coscrew_codegen.algebra.recording.numbers import Number, add, equal, negative, scaled, where
 from coscrew_codegen.dynamics.algorithms import coordinates, forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
@@ -28,7 +27,10 @@ def stop(x: FunctionRecording, motion: Motion, h: Number) -> Demand | None:
 
 def _of_step(x: FunctionRecording, motion: Motion, h: Number, factor: int) -> Demand | None:
     rows = _rows(x, motion)
-    return Demand(rows, list(scaled(Fraction(factor) / h, rows.along(motion.v)))) if rows else None
+    if not rows:
+        return None
+    rate = factor / where(equal(h, 0), 1, h)  # a step of 0 moves nothing, however it accelerates
+    return Demand(rows, list(scaled(rate, rows.along(motion.v))))
 
 
 def projected(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
