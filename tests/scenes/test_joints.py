@@ -190,13 +190,14 @@ def test_each_kind_is_a_file_of_its_name():
 
 def test_names_of_kinds_stand_in_their_files_alone():
     """Elsewhere the kinds are asked: no text of the generator is the name of one, except where
-    readers of other formats translate the words of these."""
+    readers of other formats translate the words of these, and of the tier in fixed point."""
     names = {kind.name for kind in KINDS}
     for path in sorted((ROOT / "codegen").rglob("*.py")):
         if path.parent.name not in ("joints", "mjcf", "sdf"):
             texts = {x.value for x in ast.walk(ast.parse(path.read_text()))
                      if isinstance(x, ast.Constant) and isinstance(x.value, str)}
-            assert not names & texts, path
+            tier = {"fixed"} if path.parent.name in ("tiers", "fixed") else set()
+            assert not (names - tier) & texts, path
 
 
 def test_wrong_kinds_are_refused_where_they_are_made():
