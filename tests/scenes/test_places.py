@@ -13,11 +13,20 @@ SEVERAL = {Place.JOINT: "joints", Place.BODY: "bodies"}
 CLASHES = [(effect, parameter) for effect in EFFECTS if effect.place in SEVERAL
            for parameter in effect.parameters]
 IDS = [f"{effect.name}.{parameter.name}" for effect, parameter in CLASHES]
-WRITTEN = {"vector": "[1, 2, 3]", "formulas": "[1, 2, 't']", "formula": "'2*t'"}
+both = pytest.mark.parametrize("effect, parameter", [x for x in CLASHES if not x[0].parts],
+                               ids=lambda x: x.name)
+"""Effects with parts have tables of bodies and labels alone."""
+WRITTEN = {"vector": "[1, 2, 3]", "formulas": "[1, 2, 't']", "formula": "'2*t'",
+           "matrix": str([[2 * int(i == j) for j in range(6)] for i in range(6)])}
+INSTEAD = {"k": "depth", "alpha": "restitution"}
+"""Parameters of contacts, and those that are given in their place."""
+SHARES = ("restitution",)
 
 
 def value(parameter: ParameterOf, number: int = 2) -> str:
     """A value that a file may give for the parameter."""
+    if parameter.name in SHARES:
+        return "0.5"
     if parameter.kind == "choice":
         return f'"{parameter.choices[-1]}"'
     return "true" if parameter.kind == "flag" else WRITTEN.get(parameter.kind, str(number))
@@ -25,11 +34,13 @@ def value(parameter: ParameterOf, number: int = 2) -> str:
 
 def given(effect: Effect, of: ParameterOf) -> dict[str, str]:
     """Values for all of the effect's parameters, of the kind that has the parameter `of`."""
-    kinds = next((x.choices for x in effect.parameters if x.name == "kind"), ("",))
+    kinds = next((x.choices for x in effect.parameters if x.name == effect.chosen_by), ("",))
     kind = of.of[0] if of.of else kinds[-1]
     results = {x.name: value(x, n + 2) for n, x in enumerate(effect.parameters)
                if not x.of or kind in x.of}
-    return {**results, **({"kind": f'"{kind}"'} if kind else {})}
+    for name, other in INSTEAD.items() if effect.states else ():
+        results.pop(name if of.name == other else other, None)
+    return {**results, **({effect.chosen_by: f'"{kind}"'} if kind else {})}
 
 
 def lines(values: dict[str, str]) -> str:
@@ -66,7 +77,7 @@ def test_a_table_under_a_name_that_is_both_is_the_places(read, effect, parameter
     assert there == {parameter.name: other["plain"]}
 
 
-@pytest.mark.parametrize("effect, parameter", CLASHES, ids=IDS)
+@both
 def test_a_table_that_could_be_either_is_refused_with_the_way_round(read, effect, parameter):
     name, several = parameter.name, SEVERAL[effect.place]
     table = f"[effects.{effect.name}.{name}]\n{name} = {value(parameter)}\n"
@@ -83,11 +94,13 @@ def test_a_table_that_could_be_either_is_refused_with_the_way_round(read, effect
     assert round_ == {name: plain["plain"]}
 
 
-@pytest.mark.parametrize("effect, parameter", CLASHES, ids=IDS)
+@both
 def test_a_table_under_a_parameters_name_alone_is_by_places(read, effect, parameter):
     values = {key: text for key, text in given(effect, parameter).items() if key != parameter.name}
-    if parameter.name == "kind" or parameter.kind in WRITTEN:
+    if parameter.name == effect.chosen_by or parameter.kind in WRITTEN:
         return  # the rest depends on it; and lists are given in the tables of their places
+    if parameter.name in SHARES:
+        return  # none of these numbers
     text = (f"[effects.{effect.name}]\n{lines(values)}"
             f"{parameter.name} = {{ plain = 2, other = 3 }}\n")
     if parameter.kind in ("choice", "flag"):

@@ -115,7 +115,7 @@ def test_numbers_and_values_that_no_file_gives():
 
 def test_notices_have_a_subject_that_is_known():
     """Effects that a file may declare are known subjects, too."""
-    with pytest.raises(ValueError, match="a notice of 'range'; wanted one of torque or force, "):
+    with pytest.raises(ValueError, match="a notice of 'range'; wanted one of weight, torque or "):
         Notice("range", "joint j", "joint j: range")
     model = Model("m", (), ())
     for effect in EFFECTS:

@@ -75,7 +75,7 @@ def _rows(made: FixedScene, f: FixedFunction, folder: Path) -> Iterator[CoreCost
             precision))
     for products, fixed in f.programs.items():
         mark = scene_c_fixed.MARK[products]
-        yield CoreCost(f.plain.name, f"fixed{' (high)' * (products is Products.HIGH)}",
+        yield CoreCost(f.plain.name, f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}",
                        _by_unit(f.plain, [x.error for x in fixed.results]), _counted(
             folder, f"{made.stem}{mark}", made.stem, f.plain,
             scene_c_fixed.c_name(made, f, products), integers, INTEGERS))
