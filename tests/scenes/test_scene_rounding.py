@@ -18,7 +18,8 @@ from tests.support.scenes.running_error import bounded
 from tests.support.scenes.scene_values import random_state
 
 PRECISIONS = {"double": (DOUBLE, np.float64, 2.0**-53), "single": (SINGLE, np.float32, 2.0**-24)}
-SMOOTH = tuple(x for x in PLACES if x != "limit")  # beside a limit, a rounding may touch it
+SMOOTH = tuple(x for x in PLACES if x not in ("limit", "speed_limit"))
+"""Effects without an end at which a rounding might touch them."""
 SCENES: dict[str, Scene] = {
     "bare": scene(mechanism()), "falling": scene(mechanism(), gravity()),
     "all effects": scene(mechanism(), *effects(*SMOOTH)), "arm": scene(arm(), *effects(*SMOOTH)),
@@ -53,7 +54,7 @@ def evaluated(name: str, numbers: Numbers = MULTIPRECISE) -> Evaluated:
 @pytest.mark.parametrize("precision", PRECISIONS)
 @pytest.mark.parametrize("name", SCENES)
 def test_results_are_within_their_running_error_bounds(name: str, precision: str) -> None:
-    """The bound is below 2^16 units of the largest result, so that it says something."""
+    """The bound is below 2^17 units of the largest result, so that it says something."""
     numbers, number, u = PRECISIONS[precision]
     f, bound = (evaluated(name, x) for x in (numbers, bounded(precision, mpf(u))))
     for seed in range(3):
@@ -65,7 +66,7 @@ def test_results_are_within_their_running_error_bounds(name: str, precision: str
             for x, y in zip(result, truth, strict=True):
                 assert isinstance(x, number)
                 assert abs(mpf(float(x)) - y.exact) <= y.error, (function, float(x).hex())
-                assert y.error <= 2**16 * u * size
+                assert y.error <= 2**17 * u * size
 
 
 @pytest.mark.parametrize("name", SCENES)

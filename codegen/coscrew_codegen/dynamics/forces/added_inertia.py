@@ -53,12 +53,13 @@ def inertia_in_link(applied: Applied, recorder: Recorder, tree: Tree) -> tuple[i
 
 
 def added_inertias(scene: Scene, recorder: Recorder, tree: Tree) -> dict[int, Articulated]:
-    """The sums of the inertias that effects add to links, where these are not zero."""
+    """The sums of the inertias that effects add to links, where these are not zero.  What is added
+    to a body that stands on the world moves nothing."""
     results: dict[int, Articulated] = {}
     for applied in scene.effects:
         if applied.effect.body_inertia:
             link, own = inertia_in_link(applied, recorder, tree)
-            if own.is_zero:
+            if link < 0 or own.is_zero:
                 continue
             results[link] = results[link].plus(own) if link in results else own
     return results
