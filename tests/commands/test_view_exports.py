@@ -31,7 +31,7 @@ def seen(tmp_path_factory):
     visuals = (f'<visual><origin xyz="0 0 -1" rpy="0 {TILT} 0"/><geometry>{x}</geometry>'
                '<material name="red"><color rgba="1 0 0 0.5"/></material></visual>' for x in SHAPES)
     results = arm(folder, *visuals, precision="both", until=1.0)
-    view(results, [folder / "arm.rrd", folder / "arm.mcap"])
+    view(results, [folder / "arm.mcap"])
     return folder, results
 
 
@@ -49,8 +49,10 @@ def entities(seen):
     pytest.importorskip("rerun", reason='needs pip install "coscrew[rerun]"')
     from rerun.chunk import RrdReader
 
+    folder, runs = seen
+    view(runs, [folder / "arm.rrd"])
     results: dict[str, dict[str, list]] = {}
-    for chunk in RrdReader(seen[0] / "arm.rrd").stream():
+    for chunk in RrdReader(folder / "arm.rrd").stream():
         batch = chunk.to_record_batch()
         for name, column in zip(batch.schema.names, batch.columns, strict=True):
             if name == "t" or ":" in name:
