@@ -60,8 +60,8 @@ def _within(x: Any, bits: int, words: str) -> Any:
 
 
 def checked(program: Program) -> Arithmetic[Any]:
-    """Integers that check for overflow: of results, and of what is shifted after half of the last
-    bit is added.  Products of 64 bits are checked by floats."""
+    """Arithmetic of integers that fails where a result overflows, or the sum that a rounded shift
+    shifts.  Products of 64 bits are checked by floats."""
     wide = wide_steps(program)
 
     def function(step: Instruction, number: int) -> Callable[..., Any]:

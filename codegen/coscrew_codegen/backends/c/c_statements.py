@@ -23,7 +23,7 @@ ELEMENTARY = {
 OF_INTEGERS = {Op.HIGH_PRODUCT: "ksl_high_product({}, {})",
                Op.WIDE_PRODUCT: "ksl_wide_product({}, {})",
                Op.ROUNDED_SHIFT: "ksl_rounded_shift({}, {})"}
-"""The same of operations on integers; rounded shifts of 64 bits are ksl_narrow."""
+"""Calls of operations on integers of 32 bits; a rounded shift of 64 bits calls ksl_narrow."""
 
 PRODUCT_OF = {x.name: f"KSL_MUL{x.suffix.upper()}({{}}, {{}})" for x in PRECISIONS}
 """A product that is rounded on its own, never fused into a sum, by precision."""

@@ -11,7 +11,7 @@ SIZES = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length
           "capsule": ("radius", "length"), "ellipsoid": ("radii",)}
 """The elements with the sizes of each shape."""
 THREE = ("size", "radii")
-"""Those of them with three numbers."""
+"""Elements of sizes that have three numbers."""
 _COLOURS = ("diffuse", "ambient")
 
 
