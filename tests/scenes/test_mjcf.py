@@ -127,8 +127,10 @@ UNKEPT = {
                     "</actuator>", "actuator i"),
     "polynomials  ": ('<tendon><fixed name="t" damping="3 1"><joint joint="wag" coef="1"/></fixed>'
                       "</tendon>", "damping or stiffness of tendon 't'"),
-    "actuators": ('<actuator><motor name="m" joint="wag" armature="2"/></actuator>',
+    "actuators": ('<actuator><motor name="m" joint="ankle" armature="2"/></actuator>',
                   "actuator 'm'"),
+    "polynomials   ": ('<actuator><motor name="m" joint="wag" damping="2 1"/></actuator>',
+                       "damping of actuator 'm'"),
     "fluid": ('<option density="1.2"/>', "option density, viscosity or wind")}
 IN_JOINTS = {
     "ball_joints": ("", 'stiffness="4" springref="0"', 'range="0 1" limited="true"',
@@ -269,6 +271,20 @@ def test_actuators_that_exert_nothing_by_themselves_are_reported(read):
         assert f"actuator {name}: is not used, and no effect does the same" in messages
     off = DRIVES.replace("<tendon>", '<option><flag actuation="disable"/></option><tendon>')
     assert "actuator p: is switched off in MuJoCo" in read(more=off).unused
+
+
+ROTORS = """<tendon><fixed name="t" armature="0.4"><joint joint="roll" coef="0.7"/><joint
+joint="reach" coef="-2"/></fixed></tendon><actuator><motor joint="wag" gear="3" armature="0.2"
+damping="0.5"/><motor name="t" tendon="t" gear="2" armature="0.1" damping="0.6"/></actuator>"""
+
+
+def test_armature_of_tendons_and_actuators_is_inertia_of_sums(read, tmp_path):
+    """Of joints in one chain: MuJoCo's mass matrix has no place for terms of two branches."""
+    scene = read(more=ROTORS)
+    assert {"armature.t", "armature.rotor of t", "viscous.rotor of actuator0"} <= {
+        x.name for x in scene.effects}
+    worst = compared(scene, mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml")))
+    assert max(worst.mass_matrix, worst.bias, worst.torques) < 2e-13, worst
 
 
 def test_tendons_act_on_sums_of_coordinates(read, tmp_path):

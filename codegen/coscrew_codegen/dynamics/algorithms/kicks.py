@@ -181,7 +181,7 @@ class _Closing:
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
         terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion, terms)
+        weights = weights_of(motion.tree, terms)
         return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
 
 

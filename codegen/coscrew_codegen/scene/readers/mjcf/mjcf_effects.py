@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.readers.declared_effects import Effects
+from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import rotors
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import (
     MjcfNames,
     decimals,
@@ -40,8 +41,9 @@ def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, o
             tables["wrench"][f"gravcomp of {names.body(b)}"] = {
                 "body": names.body(b), "point": decimals(model.body_ipos[b]),
                 "force": decimals(lift * x for x in g), "frame": "world"}
-    for name, table in tendons(model, names).effects.items():
-        tables[name] |= table
+    for more in (tendons(model, names).effects, rotors(model, names)):
+        for name, table in more.items():
+            tables[name] |= table
     return {name: table for name, table in tables.items() if table}
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.notices import Notice
-from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
+from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators, unkept_rotors
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closings, idle
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, one_coordinate
@@ -19,8 +19,7 @@ if TYPE_CHECKING:
 GROUPS: Mapping[str, str] = {
     "loops": "closes a loop of bodies, and is kept unless it is named here",
     "equalities": "is no line between two joints of one coordinate, or the second of a joint",
-    "tendons": "pulls, and is no sum of joints' coordinates with one length at rest, or has an "
-               "armature",
+    "tendons": "pulls, and is no sum of joints' coordinates with one length at rest",
     "actuators": "exerts forces of its own as no effect does",
     "ball_joints": "is of a free or ball joint, which no effect limits",
     "polynomials": "is no line in velocity or position, or yields",
@@ -49,9 +48,7 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, st
     yield from tendons(model, names).refused
     for name in actuators(model, names).refused:
         yield "actuators", name
-    for i in range(model.nu):
-        if model.actuator_armature[i] or model.actuator_damping[i]:
-            yield "actuators", f"actuator {model.actuator(i).name or i!r}"
+    yield from unkept_rotors(model, names)
     yield from _of_joints(model, names)
     if model.opt.density or model.opt.viscosity or model.opt.wind.any():
         yield "fluid", "option density, viscosity or wind"

@@ -38,13 +38,14 @@ def weights(model: "mujoco.MjModel", names: MjcfNames, t: int, gear: float = 1.0
 
 def tendons(model: "mujoco.MjModel", names: MjcfNames) -> Tendons:
     """Returns the tendons of a model."""
-    effects: dict[str, dict[str, Mapping[str, object]]] = {"spring": {}, "viscous": {}}
+    effects: dict[str, dict[str, Mapping[str, object]]] = {
+        "armature": {}, "spring": {}, "viscous": {}}
     offered: dict[str, dict[str, Mapping[str, object]]] = {}
     refused: list[tuple[str, str]] = []
     for t in range(model.ntendon):
         joints, (low, high) = weights(model, names, t), model.tendon_lengthspring[t]
         element, pulls = f"tendon {model.tendon(t).name or t!r}", model.tendon_stiffness[t]
-        if not joints or pulls and low != high or model.tendon_armature[t]:
+        if not joints or pulls and low != high:
             if any(x[t] for x in (model.tendon_stiffness, model.tendon_damping,
                                   model.tendon_armature, model.tendon_frictionloss,
                                   model.tendon_limited)):
@@ -60,6 +61,9 @@ def tendons(model: "mujoco.MjModel", names: MjcfNames) -> Tendons:
         if model.tendon_damping[t]:
             effects["viscous"][label] = {"joints": joints,
                                          "d": decimals([model.tendon_damping[t]])[0]}
+        if model.tendon_armature[t]:
+            effects["armature"][label] = {"joints": joints,
+                                          "inertia": decimals([model.tendon_armature[t]])[0]}
         for effect, values in _offered(model, t, joints):
             offered.setdefault(effect, {})[label] = values
     return Tendons(effects, offered, tuple(refused))
