@@ -14,17 +14,9 @@ from coscrew_codegen.scene.integrators import DEFAULT
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.ranges import Ranges
+from coscrew_codegen.scene.mechanism.weighted_coordinate import WeightedCoordinate
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
-
-
-@dataclass(frozen=True)
-class WeightedCoordinate:
-    """A coordinate of a joint, times a weight: a term of a sum."""
-
-    joint: str
-    coordinate: int  # its number among those of the joint
-    weight: Fraction
 
 
 @dataclass(frozen=True)

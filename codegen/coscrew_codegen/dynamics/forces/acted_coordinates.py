@@ -9,7 +9,8 @@ from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.mechanism.tree import Tree
-from coscrew_codegen.scene.scene import Applied, Setting, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.weighted_coordinate import WeightedCoordinate
+from coscrew_codegen.scene.scene import Applied, Setting
 
 SUM = -1
 """Stands for the link of a weighted sum."""
@@ -29,7 +30,7 @@ class ActedCoordinate:
 def acted_coordinates(motion: Motion, applied: Applied) -> list[ActedCoordinate]:
     """The coordinates along which the effect acts."""
     if applied.terms:
-        return [ActedCoordinate(*_sum(motion, applied.terms), applied.values, SUM)]
+        return [ActedCoordinate(*sum_of(motion, applied.terms), applied.values, SUM)]
     link = link_of(motion, applied.on)
     q, v = motion.coordinates(link), motion.speeds(link)
     if len(v) == 1:
@@ -58,7 +59,7 @@ def weights_of(tree: Tree, terms: Iterable[WeightedCoordinate]) -> dict[int, Fra
     return {place: weight for place, weight in weights.items() if weight}
 
 
-def _sum(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
+def sum_of(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
     """Σ weight q and Σ weight v."""
     q = v = motion.zero[0]
     for term in terms:

@@ -27,7 +27,7 @@ def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, o
     g = [0.0 if weightless else float(x) for x in model.opt.gravity]
     tables: dict[str, dict[str, object]] = {
         "actuator": dict(actuators), "armature": {}, "gravity": {"g": decimals(g)}, "spring": {},
-        "viscous": {}, "wrench": {}}
+        "spring_damper": {}, "viscous": {}, "wrench": {}}
     for j in range(model.njnt):
         name, dof = names.joint(j), int(model.jnt_dofadr[j])
         if model.dof_armature[dof]:

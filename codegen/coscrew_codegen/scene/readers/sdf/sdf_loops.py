@@ -90,14 +90,14 @@ class SdfLoops(SdfJoints):
                 "other tools' numbers", f"joint {full}", f"joint {full}: closes a loop; its "
                 f"<{'>, <'.join(lost)}> {'are' if len(lost) > 1 else 'is'} not used"))
         kind, at = CLOSURES[word], full if word != "fixed" else child
-        ends = [self._closed_end(body, at, full, key, kind) for body, key in (
-            (parent, "first"), (child, "second"))]
+        first, second = (self._closed_end(body, at, full, key, kind) for body, key in (
+            (parent, "first"), (child, "second")))
         if kind is HINGE:
             axis = self.direction(joint, scope)
-            ends = [LoopEnd(x.body, x.point, axis=turned(self.within(x.body, at), axis))
-                    for x in ends]
+            first, second = (LoopEnd(x.body, x.point, axis=turned(self.within(x.body, at), axis))
+                             for x in (first, second))
         self.closings.names.add(full)
-        self.closings.loops.append(ClosedLoop(full, kind, *ends))
+        self.closings.loops.append(ClosedLoop(full, kind, first, second))
 
     def _closed_end(self, body: str, at: str, full: str, key: str, kind: LoopKind) -> LoopEnd:
         """The end of a closure at a frame; a frame turned in its body becomes a body on it."""
