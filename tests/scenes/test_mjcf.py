@@ -302,7 +302,7 @@ damping="0.5"/><motor name="t" tendon="t" gear="2" armature="0.1" damping="0.6"/
 
 
 def test_armature_of_tendons_and_actuators_is_inertia_of_sums(read, tmp_path):
-    """Of joints in one chain: MuJoCo's mass matrix has no place for terms of two branches."""
+    """The joints are in one chain: MuJoCo's mass matrix has no place for terms of two branches."""
     scene = read(more=ROTORS)
     assert {"armature.t", "armature.rotor of t", "viscous.rotor of actuator0"} <= {
         x.name for x in scene.effects}

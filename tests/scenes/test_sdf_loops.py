@@ -94,7 +94,7 @@ def test_numbers_of_a_joint_that_closes_are_told(read):
 
 
 def test_a_fixed_joint_welds_frames(read, tmp_path):
-    """Where the links' frames are turned against each other, one stands on the first link."""
+    """A frame stands on the first link where the links' frames are turned against each other."""
     weld = joint("close", "fixed", "b", "c", axis="")
     scene = read(TREE + weld)
     assert [(x.kind.name, x.bodies) for x in scene.model.loops] == [("frame", ("b", "c"))]

@@ -14,7 +14,7 @@ from coscrew_codegen.scene.integrators import DEFAULT
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.ranges import Ranges
-from coscrew_codegen.scene.mechanism.weighted_coordinate import WeightedCoordinate
+from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 

@@ -22,7 +22,7 @@ def name_of(file: str) -> str:
 
 
 def robots(outcomes: Iterable[Outcome]) -> list[list[Outcome]]:
-    """The files of each robot that moves, or of which that is not known."""
+    """The files of each robot that moves, or that may move."""
     by_key: dict[str, list[Outcome]] = {}
     for x in outcomes:
         if x.status != STILL:

@@ -17,7 +17,7 @@ from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene.readers.xacro_reader import expanded
+from coscrew_codegen.scene.readers.xacro.xacro_reader import expanded
 from coscrew_codegen.scene.scene import Scene
 from tests.support.robots_in.drake_states import drake_states
 from tests.support.robots_in.outcome import (

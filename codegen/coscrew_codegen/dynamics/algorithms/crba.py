@@ -11,8 +11,8 @@ from coscrew_codegen.algebra.recording.numbers import Number, add
 from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.own_inertias import OwnInertias
 from coscrew_codegen.dynamics.algorithms.rnea import along
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 
 def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.algebra.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.own_inertias import OwnInertias
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects

@@ -46,9 +46,9 @@ from coscrew_codegen.algebra.recording.numbers import (
 )
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, symmetric
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
-from coscrew_codegen.dynamics.algorithms.own_inertias import OwnInertias
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench, net_wrenches
 from coscrew_codegen.dynamics.algorithms.screw_rates import subspace_rates
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 Matrix = list[list[Number]]
 Six = tuple[Number, ...]

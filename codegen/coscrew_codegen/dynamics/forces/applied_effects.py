@@ -24,7 +24,6 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.own_inertias import OwnInertias, SummedInertia
 from coscrew_codegen.dynamics.algorithms.rnea import holding_torques
 from coscrew_codegen.dynamics.forces.acted_coordinates import (
     SUM,
@@ -41,6 +40,7 @@ from coscrew_codegen.dynamics.forces.added_inertia import (
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias, SummedInertia
 from coscrew_codegen.dynamics.forces.potentials import body_force
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (

@@ -5,12 +5,12 @@ from collections.abc import Callable, Mapping, Sequence
 from coscrew_codegen.algebra.recording.numbers import Number, add, cross, dot
 from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.own_inertias import SummedInertia
 from coscrew_codegen.dynamics.forces.acted_coordinates import link_of, weights_of
 from coscrew_codegen.dynamics.forces.added_inertia import inertia_in_link
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
+from coscrew_codegen.dynamics.forces.own_inertias import SummedInertia
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.effect_quantities import ENERGY, FORCE, POWER, SATURATED, TORQUE

@@ -72,7 +72,7 @@ class Coupling(Closure):
 
     @property
     def exerted(self) -> list[Wrench]:
-        """What its first joint exerts along its axis, on the link that it moves."""
+        """The wrench of its first joint along its axis, on the link that it moves."""
         first = required(self.loop.law).joints[0]
         screw = self.motion.subspace(link_of(self.motion, first.joint))[first.coordinate]
         return [tuple(x * first.weight for x in screw)]

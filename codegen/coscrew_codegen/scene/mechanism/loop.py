@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from coscrew_codegen.scene.mechanism.joint_kind import Direction
 from coscrew_codegen.scene.mechanism.rotations import IDENTITY, Entries, unit
-from coscrew_codegen.scene.mechanism.weighted_coordinate import WeightedCoordinate
+from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 Point = tuple[Fraction, ...]  # of three, in m
 
@@ -69,8 +69,8 @@ class Law:
 
 @dataclass(frozen=True)
 class ClosedLoop:
-    """A closure between points of two bodies, or of a body and the world; or a law of joints, the
-    first of which connects both bodies."""
+    """A closure between points of two bodies, or of a body and the world; or a law of joints, whose
+    first joint connects both bodies."""
 
     name: str
     kind: LoopKind

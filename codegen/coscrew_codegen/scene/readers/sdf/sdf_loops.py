@@ -69,7 +69,7 @@ class SdfLoops(SdfJoints):
         self._drop_idle(rigid)
 
     def _order(self, joint: Element) -> tuple[bool, bool]:
-        """Those that stay in the tree first; others by the file's order."""
+        """The order of joints: first those that stay in the tree, others as in the file."""
         closes = joint.attributes.get("type", "") in CLOSURES
         return closes, closes and not self._given(joint)
 

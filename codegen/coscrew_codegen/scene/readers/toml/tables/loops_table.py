@@ -3,7 +3,6 @@
 from fractions import Fraction
 
 from coscrew_codegen.scene.mechanism.joint_kind import Direction
-from coscrew_codegen.scene.mechanism.laws import law
 from coscrew_codegen.scene.mechanism.loop import (
     HINGE,
     LAW,
@@ -14,6 +13,7 @@ from coscrew_codegen.scene.mechanism.loop import (
 )
 from coscrew_codegen.scene.mechanism.model import WORLD, Model
 from coscrew_codegen.scene.mechanism.rotations import unit
+from coscrew_codegen.scene.readers.laws import law
 from coscrew_codegen.scene.readers.toml.keys import LOOP
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described

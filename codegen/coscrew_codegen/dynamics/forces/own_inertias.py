@@ -31,12 +31,12 @@ class OwnInertias(dict[str, Number]):
 
     @property
     def alone(self) -> list[SummedInertia]:
-        """Those of sums of one term, which are on the diagonal."""
+        """The inertias of sums of one term, which are on the diagonal."""
         return [x for x in self.sums if len(x.weights) == 1]
 
     @property
     def coupling(self) -> "OwnInertias":
-        """Those of sums of several terms alone."""
+        """The inertias of sums of several terms alone."""
         result = OwnInertias()
         result.sums = [x for x in self.sums if len(x.weights) > 1]
         return result

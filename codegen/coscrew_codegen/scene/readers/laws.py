@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from coscrew_codegen.scene.mechanism.loop import LAW, LAW_OF_LENGTHS, ClosedLoop, Law, LoopEnd
 from coscrew_codegen.scene.mechanism.model import Joint
-from coscrew_codegen.scene.mechanism.weighted_coordinate import WeightedCoordinate
+from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 
 def law(name: str, every: Iterable[Joint], joints: tuple[WeightedCoordinate, ...],
