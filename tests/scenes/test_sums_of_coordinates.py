@@ -16,11 +16,11 @@ from coscrew_codegen import load_scene, run
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.effect_quantities import units_of
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 from tests.support.each import each_precision
 from tests.support.scenes.differences import check
 from tests.support.scenes.effect_laws import assert_same, multiprecise

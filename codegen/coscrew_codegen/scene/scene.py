@@ -11,10 +11,10 @@ from coscrew_codegen.scene.content import hashed
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.ranges import Ranges
-from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 

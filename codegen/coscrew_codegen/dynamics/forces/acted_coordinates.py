@@ -8,9 +8,9 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Setting
-from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 SUM = -1
 """Stands for the link of a weighted sum."""

@@ -7,7 +7,6 @@ from fractions import Fraction
 
 from coscrew_codegen.scene.mechanism.joint_kind import Direction
 from coscrew_codegen.scene.mechanism.rotations import IDENTITY, Entries, unit
-from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 Point = tuple[Fraction, ...]  # of three, in m
 
@@ -50,6 +49,15 @@ class LoopEnd:
     point: Point = (Fraction(0),) * 3
     R: Entries = IDENTITY  # of a frame
     axis: Direction = (Fraction(0), Fraction(0), Fraction(1))  # of a hinge, of norm 1
+
+
+@dataclass(frozen=True)
+class WeightedCoordinate:
+    """A coordinate of a joint, times a weight: a term of a sum."""
+
+    joint: str
+    coordinate: int  # its number among those of the joint
+    weight: Fraction
 
 
 @dataclass(frozen=True)

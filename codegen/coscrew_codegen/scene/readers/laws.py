@@ -3,9 +3,15 @@
 from collections.abc import Iterable
 from fractions import Fraction
 
-from coscrew_codegen.scene.mechanism.loop import LAW, LAW_OF_LENGTHS, ClosedLoop, Law, LoopEnd
+from coscrew_codegen.scene.mechanism.loop import (
+    LAW,
+    LAW_OF_LENGTHS,
+    ClosedLoop,
+    Law,
+    LoopEnd,
+    WeightedCoordinate,
+)
 from coscrew_codegen.scene.mechanism.model import Joint
-from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 
 def law(name: str, every: Iterable[Joint], joints: tuple[WeightedCoordinate, ...],

@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import comb
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.mechanism.loop import ClosedLoop
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop, WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.laws import law
@@ -17,7 +17,6 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import name_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import weights
-from coscrew_codegen.scene.weighted_coordinate import WeightedCoordinate
 
 if TYPE_CHECKING:
     import mujoco
