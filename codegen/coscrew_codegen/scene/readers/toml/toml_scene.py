@@ -18,10 +18,11 @@ from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
-from coscrew_codegen.scene.readers.falling import ACCEPT, falling
-from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
+from coscrew_codegen.scene.readers.omissions.falling import ACCEPT, falling
+from coscrew_codegen.scene.readers.omissions.idle import idle
+from coscrew_codegen.scene.readers.omissions.unused import besides, unused
 from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.toml.effect_table import Use
@@ -39,7 +40,6 @@ from coscrew_codegen.scene.readers.toml.tables.ranges_table import limits_in_ran
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
-from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
 from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
