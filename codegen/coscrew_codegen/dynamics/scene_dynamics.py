@@ -22,6 +22,7 @@ from coscrew_codegen.dynamics.algorithms import (
     centroidal,
     coordinates,
     crba,
+    effect_states,
     energies,
     floating,
     forward,
@@ -337,6 +338,18 @@ class RecordedDynamics:
         """phi of h/2, and v after it, with free bases that move straight on."""
         (h,), v = self.argument("h"), self.argument("v")
         return coordinates.carried(self.recorder, self._tree, self._recording.names, h, v)
+
+    def state_rates(self) -> Results:
+        """x' of effects' states, and q with them within their bounds."""
+        return effect_states.rates(self._recording)
+
+    def moved_states(self) -> Numbers:
+        """q with effects' states moved by h at v."""
+        return effect_states.moved(self._recording)
+
+    def switches(self) -> Numbers:
+        """Numbers that change their signs where another part of an effect's law begins."""
+        return effect_states.switches(self._recording)
 
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""

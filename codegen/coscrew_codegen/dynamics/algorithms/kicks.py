@@ -92,7 +92,8 @@ def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> 
     nq, (h,) = x.tree.nq, x.recorder.argument("h")
     if len(q) == nq:
         return list(q)
-    rates = AppliedEffects(x.scene, x.motion(at=(q, v))).act().rates
+    states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
+    rates = [rate for own in states for rate in own.law.rates]
     with x.recorder.part("x", heading="states of effects"):
         return [*q[:nq], *add(tuple(q[nq:]), scaled(h / 2, rates))]
 
@@ -102,8 +103,8 @@ def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> lis
     if len(q) == x.tree.nq:
         return list(q)
     moved = _drifted(x, q, v)
-    kept = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().kept
-    return [*q[:x.tree.nq], *kept]
+    states = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().states
+    return [*q[:x.tree.nq], *(y for own in states for y in own.kept)]
 
 
 def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:

@@ -40,6 +40,7 @@ from coscrew_codegen.dynamics.forces.added_inertia import (
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.moving_states import MovingStates
 from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias, SummedInertia
 from coscrew_codegen.dynamics.forces.potentials import body_force
 from coscrew_codegen.program.differentiate import Dual
@@ -165,8 +166,7 @@ class AppliedEffects:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
         self.sums: list[Summed] = []
-        self.rates: list[Number] = []  # x' of the effects' states
-        self.kept: list[Number] = []  # the states within their bounds
+        self.states: list[MovingStates] = []
         self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
@@ -210,14 +210,16 @@ class AppliedEffects:
             self._note(applied, along.torque)
 
     def _note(self, applied: Applied, law: Torque | Force) -> None:
-        """Keeps the rates and the bounds of an effect's states."""
-        if applied.effect.states:
-            for name, of in (("rates", law.rates), ("kept", law.kept)):
-                if len(of) != len(applied.effect.states):
-                    raise TypeError(f"{applied.effect.name} has {len(applied.effect.states)} "
-                                    f"states; its law gives {len(of)} {name}")
-            self.rates += law.rates
-            self.kept += law.kept
+        """Keeps the states of an effect, with their rates and bounds."""
+        effect, x = applied.effect, self.motion.states(applied.name)
+        if not x:
+            return
+        bounded = len(x) if law.share is not None else 0
+        for name, of, wanted in (("rates", law.rates, len(x)), ("bounded", law.bounded, bounded),
+                                 ("switches", law.switches, effect.switches)):
+            if len(of) != wanted:
+                raise TypeError(f"{effect.name} has {wanted} {name}; its law gives {len(of)}")
+        self.states.append(MovingStates(x, law))
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter
 from coscrew_codegen.scene.effect import Effect
-from coscrew_codegen.scene.effect_quantities import states_of, why_not_moved
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
@@ -170,7 +170,6 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")))
-    _refuse_integrator(file.table("run"), scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
     outputs.only(*OUTPUTS.names)
@@ -330,12 +329,6 @@ def _run(table: TomlTable) -> Run:
     if step > duration:
         table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
     return Run(duration, table.choice("integrator", NAMES, run.integrator), step, rtol, atol)
-
-
-def _refuse_integrator(table: TomlTable, scene: Scene) -> None:
-    """Refuse an integrator that leaves the states of effects where they are."""
-    if problem := why_not_moved(scene, scene.run.integrator):
-        table.refuse("integrator", problem)
 
 
 def _expectations(file: TomlTable, scene: Scene) -> tuple[Expectation, ...]:
