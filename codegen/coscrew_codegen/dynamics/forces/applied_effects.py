@@ -144,10 +144,10 @@ class Paired:
 
 @dataclass(frozen=True)
 class Summed:
-    """An effect on a weighted sum of coordinates; its torque acts on each velocity by the weight.
-    """
+    """An effect on a weighted sum of coordinates, or on an angle; its torque acts on each velocity
+    by the weight."""
 
-    weights: Mapping[int, Fraction]  # by velocity
+    weights: Mapping[int, Number | Fraction]  # by velocity
     along: JointEffect
 
 
@@ -203,7 +203,7 @@ class AppliedEffects:
                              self._holding(x.link, applied), self.motion.states(applied.name))
         along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
         if x.link == SUM:
-            self.sums.append(Summed(weights_of(self.motion.tree, applied.terms), along))
+            self.sums.append(Summed(x.weights, along))
         else:
             self.torques.setdefault(x.link, []).append(along)
         if applied.effect.states:
