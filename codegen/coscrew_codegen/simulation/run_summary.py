@@ -119,7 +119,7 @@ def outside(its: System, q: np.ndarray) -> str:
 
 
 def _ranged(c: Coordinate, q: np.ndarray) -> np.ndarray:
-    """What a range of a joint holds: its coordinate, or the angle by which it is turned."""
+    """The number that a range of a joint holds: its coordinate, or the angle of its turn."""
     own: np.ndarray = np.moveaxis(q[..., c.q.start:c.q.stop].astype(float), -1, 0)
     if not kind_named(c.kind).by_angle:
         return np.asarray(own[0])
