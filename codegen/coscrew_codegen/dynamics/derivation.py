@@ -95,6 +95,10 @@ class Derivation:
                 return len(self.linear.base.places)
             case AxisLength.ROWS:
                 return sum(x.kind.count for x in self.scene.model.loops)
+            case AxisLength.EFFECT_STATES:
+                return count_of(states_of(self.scene))
+            case AxisLength.SWITCHES:
+                return sum(x.effect.switches for x in self.scene.effects)
 
     # recording
 

@@ -40,6 +40,8 @@ from coscrew_codegen.dynamics.forces.added_inertia import (
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.moving_states import MovingStates
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias, SummedInertia
 from coscrew_codegen.dynamics.forces.potentials import body_force
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
@@ -54,6 +56,7 @@ from coscrew_codegen.scene.effect import (
     required,
 )
 from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
@@ -163,8 +166,7 @@ class AppliedEffects:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
         self.sums: list[Summed] = []
-        self.rates: list[Number] = []  # x' of the effects' states
-        self.kept: list[Number] = []  # the states within their bounds
+        self.states: list[MovingStates] = []
         self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
@@ -201,21 +203,23 @@ class AppliedEffects:
                              self._holding(x.link, applied), self.motion.states(applied.name))
         along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
         if x.link == SUM:
-            self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
+            self.sums.append(Summed(weights_of(self.motion.tree, applied.terms), along))
         else:
             self.torques.setdefault(x.link, []).append(along)
         if applied.effect.states:
             self._note(applied, along.torque)
 
     def _note(self, applied: Applied, law: Torque | Force) -> None:
-        """Keeps the rates and the bounds of an effect's states."""
-        if applied.effect.states:
-            for name, of in (("rates", law.rates), ("kept", law.kept)):
-                if len(of) != len(applied.effect.states):
-                    raise TypeError(f"{applied.effect.name} has {len(applied.effect.states)} "
-                                    f"states; its law gives {len(of)} {name}")
-            self.rates += law.rates
-            self.kept += law.kept
+        """Keeps the states of an effect, with their rates and bounds."""
+        effect, x = applied.effect, self.motion.states(applied.name)
+        if not x:
+            return
+        bounded = len(x) if law.share is not None else 0
+        for name, of, wanted in (("rates", law.rates, len(x)), ("bounded", law.bounded, bounded),
+                                 ("switches", law.switches, effect.switches)):
+            if len(of) != wanted:
+                raise TypeError(f"{effect.name} has {wanted} {name}; its law gives {len(of)}")
+        self.states.append(MovingStates(x, law))
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""
@@ -417,14 +421,17 @@ def _owner(applied: Applied) -> str:
     return f"{(applied.label or applied.on).removesuffix('_joint')}_{applied.effect.name}"
 
 
-def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
-    """The inertias that effects add to joints, by joint."""
-    total: dict[str, Number] = {}
+def joint_inertias(scene: Scene, recorder: Recorder, tree: Tree) -> OwnInertias:
+    """The inertias that effects add to joints, and to sums of coordinates."""
+    total = OwnInertias()
     for applied in scene.effects:
         if applied.effect.joint_inertia:
             values = settings(recorder, applied.values, recorder.number(0))
             own = applied.effect.joint_inertia(values)
             owner, = identifiers([_owner(applied)])
             own, = recorder.label("I", own, owner)
-            total[applied.on] = total[applied.on] + own if applied.on in total else own
+            if applied.terms:
+                total.sums.append(SummedInertia(weights_of(tree, applied.terms), own))
+            else:
+                total[applied.on] = total[applied.on] + own if applied.on in total else own
     return total

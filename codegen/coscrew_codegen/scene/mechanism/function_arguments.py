@@ -21,6 +21,8 @@ class AxisLength(Enum):
     LINEAR = "parameters on which torques depend linearly"
     BASE = "base parameters"
     ROWS = "rows of closed loops"
+    EFFECT_STATES = "states of effects"
+    SWITCHES = "numbers that switch effects with states"
 
 
 @dataclass(frozen=True)

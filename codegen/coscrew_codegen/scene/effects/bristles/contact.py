@@ -90,7 +90,8 @@ def _force(state: BodyState, values: Values) -> Force:
         power=(N - elastic) * rise - dot(friction, slip),
         slopes=PointSlopes(Slopes(share * d_t, share * k_t),
                            Slopes(damping, root * push * Fraction(3, 2)), state.own_direction(n)),
-        rates=slip, kept=scaled(minimum(grip / maximum(bent, _LEAST), 1), z),
+        rates=slip, bounded=z, share=minimum(grip / maximum(bent, _LEAST), 1),
+        switches=(gap, grip - sqrt(dot(pull, pull)), grip - bent),
         contact=BodyContact(values["k"], gap, rise, values["depth"]))
 
 
@@ -205,4 +206,4 @@ EFFECT = Effect(
                  required=False, nonnegative=True)),
     body_force=_force, stores_energy=True, chosen_by="shape", parts=_parts, completed=_completed,
     states=tuple(StateOf(x, "m", f"deflection of the bristles along the world's {x}")
-                 for x in "xyz"))
+                 for x in "xyz"), switches=3)
