@@ -120,7 +120,8 @@ class Player {
 
   listen() {
     document.addEventListener("keydown", event => {
-      const own = CONTROLS.includes(event.target.tagName);
+      const { tagName } = event.target, letter = event.key.length === 1 && event.key !== " ";
+      const own = CONTROLS.includes(tagName) && !(letter && tagName !== "SELECT");
       if (own || this.stage && event.target === $("space") && this.turn(event)) return;
       if (this.clock.key(event) || this.tools.key(event)) event.preventDefault();
     });
