@@ -11,6 +11,7 @@ from typing import Protocol, TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Sign
+from coscrew_codegen.scene.mechanism.collision import Collision
 
 K = TypeVar("K")
 Given = Mapping[str, object]
@@ -194,6 +195,10 @@ class BodyContact:
     resting: Number  # the depth under its load: less than twice that deep it rests
 
 
+MOST_AT_REST = 8
+"""Contacts that share a tree's weight, at most: of a body with many not all touch."""
+
+
 @dataclass(frozen=True)
 class Resting:
     """The load on each contact of a body at rest, in N, and free fall's acceleration; 0 without
@@ -322,6 +327,8 @@ class Effect:
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
     # parts of a body on which it acts; its tables have labels
+    parts_of: Callable[[Given, Collision], Sequence[Given]] | None = None  # of its values and a
+    # shape of the model's file
     completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
     # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them

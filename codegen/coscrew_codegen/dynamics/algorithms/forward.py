@@ -26,7 +26,8 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
+from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import Slopes, required
 

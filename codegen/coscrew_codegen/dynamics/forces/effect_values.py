@@ -7,8 +7,9 @@ from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.acted_coordinates import link_of
 from coscrew_codegen.dynamics.forces.added_inertia import inertia_in_link
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect import required

@@ -1,10 +1,8 @@
 """Contact with the ground: Hertz's law with Hunt and Crossley's damping along the normal, and
 elastic-plastic bristles across it, which hold for ever what dry friction would let creep."""
 
-from collections.abc import Sequence
 from fractions import Fraction
-from itertools import product
-from math import isqrt, log
+from math import log
 from math import sqrt as root_of
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -21,6 +19,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     where,
 )
 from coscrew_codegen.scene.effect import (
+    MOST_AT_REST,
     BodyContact,
     BodyState,
     Effect,
@@ -34,6 +33,7 @@ from coscrew_codegen.scene.effect import (
     StateOf,
     Values,
 )
+from coscrew_codegen.scene.touching_parts import parts, parts_of
 
 _LEAST = Fraction(1, 10**30)
 """N: instead of a force of zero, so that there is no 0/0."""
@@ -92,37 +92,6 @@ def _force(state: BodyState, values: Values) -> Force:
                            Slopes(damping, root * push * Fraction(3, 2)), state.own_direction(n)),
         rates=slip, kept=scaled(minimum(grip / maximum(bent, _LEAST), 1), z),
         contact=BodyContact(values["k"], gap, rise, values["depth"]))
-
-
-def _parts(values: Given) -> Sequence[Given]:
-    """The contacts of a shape: a capsule's ends, a box's corners."""
-    centre = _numbers(values["point"])
-    if values["shape"] == "box":
-        size = _numbers(values["size"])
-        offsets = [tuple(sign * edge / 2 for sign, edge in zip(signs, size, strict=True))
-                   for signs in product((-1, 1), repeat=3)]
-        own: Given = {"shape": "point", "size": None}
-    elif values["shape"] == "capsule":
-        axis, half = _numbers(values["axis"]), Fraction(str(values["length"])) / 2
-        long = _root(sum((x * x for x in axis), Fraction(0)))
-        offsets = [tuple(sign * half * x / long for x in axis) for sign in (-1, 1)]
-        own = {"shape": "sphere", "axis": None, "length": None}
-    else:
-        return (values,)
-    return [{**values, **own, "point": tuple(a + b for a, b in zip(centre, x, strict=True))}
-            for x in offsets]
-
-
-def _numbers(given: object) -> tuple[Fraction, ...]:
-    """The numbers of a vector."""
-    return tuple(x for x in given if isinstance(x, Fraction)) if isinstance(given, tuple) else ()
-
-
-def _root(square: Fraction) -> Fraction:
-    """Its square root: exact if it is a fraction's square."""
-    above, below = isqrt(square.numerator), isqrt(square.denominator)
-    exact = Fraction(above, below)
-    return exact if exact * exact == square else _fraction(root_of(float(square)))
 
 
 def _completed(values: Given, resting: Resting) -> Given:
@@ -190,8 +159,8 @@ EFFECT = Effect(
      ParameterOf("mu", "1", "coefficient of friction", nonnegative=True),
      ParameterOf("depth", "m", "how deep it sinks under the load, in place of k; 1 mm, or 1/20 of "
                  "the radius if that is less, if neither is given", required=False, positive=True),
-     ParameterOf("load", "N", "the weight of the body's tree over the number of its contacts if "
-                 "not given", required=False, positive=True),
+     ParameterOf("load", "N", "the weight of the body's tree over the number of its contacts, at "
+                 f"most {MOST_AT_REST}, if not given", required=False, positive=True),
      ParameterOf("k", "N/m^1.5", "stiffness; load/depth^1.5 if not given", required=False,
                  positive=True),
      ParameterOf("alpha", "s/m", "damping: a bounce at the speed v keeps about 1/(1 + alpha v) of "
@@ -203,6 +172,7 @@ EFFECT = Effect(
                  required=False, positive=True),
      ParameterOf("d_t", "N s/m", "damping of the bristles; 0.4 sqrt(k_t load/g) if not given",
                  required=False, nonnegative=True)),
-    body_force=_force, stores_energy=True, chosen_by="shape", parts=_parts, completed=_completed,
+    body_force=_force, stores_energy=True, chosen_by="shape", parts=parts, parts_of=parts_of,
+    completed=_completed,
     states=tuple(StateOf(x, "m", f"deflection of the bristles along the world's {x}")
                  for x in "xyz"))
