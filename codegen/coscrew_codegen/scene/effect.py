@@ -273,6 +273,7 @@ class Force:
     energy: Number | None = None
     power: Number | None = None
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
+    turning: PointSlopes | None = None  # likewise -∂moment/∂ of the angular velocity, with `slopes`
     contact: BodyContact | None = None
     rates: Vector = ()
     kept: Vector = ()

@@ -15,6 +15,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     Number,
     Vector,
     add,
+    dot,
     linear,
     maximum,
     scaled,
@@ -29,7 +30,7 @@ from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
-from coscrew_codegen.scene.effect import Slopes, required
+from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
 
 Weights = Callable[..., tuple[Number, Number]]
 """(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
@@ -220,7 +221,19 @@ def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], w
                     slopes, e = force.along
                     along, _ = _represented(slopes, body, weights)
                     rows.append(_Row(number, along - across, e))
+                if force.turning:
+                    turning, e = force.turning
+                    across, about = (_about_axis(x, body, weights) for x in (
+                        turning.across, turning.along))
+                    bodies[number] = _with_moments(bodies[number], across)
+                    rows.append(_Row(number, about - across, e))
     return bodies, rows
+
+
+def _about_axis(slopes: Slopes, body: Rigid, weights: Weights) -> Number:
+    """m for the damping of a moment; z is that over the body's mean moment of inertia."""
+    mean = maximum((body.I[0] + body.I[1] + body.I[2]) / 3, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, slopes.damping / mean)[0]
 
 
 def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
@@ -242,6 +255,8 @@ def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
                     faster = subtract(motion.twist(number), before)
                     results[number] = subtract(results[number], _push(
                         force, faster, force.across.damping, along and along[0].damping))
+                    if force.turning:
+                        results[number] = subtract(results[number], _turn(*force.turning, faster))
                 _, c = _represented(force.across, body, weights)
                 c_along = along and _represented(along[0], body, weights)[1]
                 if not c.is_zero or c_along and not c_along.is_zero:
@@ -259,6 +274,13 @@ def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | No
         return wrench
     _, e = required(force.along)
     return add(wrench, scaled((along - across) * call("dot_cs", e, twist)[0], e))
+
+
+def _turn(slopes: PointSlopes, e: Wrench, twist: Wrench) -> Wrench:
+    """The moment on a link of the slopes' damping at the angular velocity of a twist."""
+    across, along = slopes.across.damping, slopes.along.damping
+    turn = (*e[:3], *scaled(across, twist[3:]))
+    return add(turn, scaled((along - across) * dot(e[3:], twist[3:]), e))
 
 
 def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> _Solve:
@@ -338,3 +360,8 @@ def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     zero = mass.like(0)
     return replace(rigid_of(add(body.numbers, mass.recorder.call(
         "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)
+
+
+def _with_moments(body: Rigid, inertia: Number) -> Rigid:
+    """The body with a moment of inertia about each axis."""
+    return replace(body, I=(*(x + inertia for x in body.I[:3]), *body.I[3:]))

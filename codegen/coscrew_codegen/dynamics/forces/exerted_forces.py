@@ -49,6 +49,15 @@ class AppliedForce:
         unit = Force(self.force.point, slopes.direction)
         return slopes.along, AppliedForce(self.state, unit).on_link
 
+    @property
+    def turning(self) -> tuple[PointSlopes, tuple[Number, ...]] | None:
+        """The slopes of its moment, and the wrench on the link of 1 N m along their direction."""
+        slopes = self.force.turning
+        if slopes is None:
+            return None
+        unit = Force(required(self.force.point), self.state.motion.zero, slopes.direction)
+        return slopes, AppliedForce(self.state, unit).on_link
+
     def power(self) -> Number:
         """f·v + τ·ω."""
         return self.state.t.recorder.call("dot_cs", self.wrench,
