@@ -24,6 +24,7 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.scene.effect import (
     MOST_AT_REST,
     BodyContact,
+    ContactForce,
     Given,
     ParameterOf,
     Resting,
@@ -50,24 +51,7 @@ class Meeting:
     w: Vector = ()  # angular velocity, where a moment resists it
 
 
-@dataclass(frozen=True)
-class ContactLaw:
-    """The force on the first surface, in the world's frame, and what steps need of it."""
-
-    force: Vector
-    energy: Number
-    power: Number
-    across: Slopes
-    along: Slopes
-    rates: Vector
-    kept: Vector
-    contact: BodyContact
-    moment: Vector = ()
-    rolling: Slopes | None = None  # -∂moment/∂w across the normal
-    torsional: Slopes | None = None  # and about it
-
-
-def contact_law(at: Meeting, values: Values) -> ContactLaw:
+def contact_law(at: Meeting, values: Values) -> ContactForce:
     """Along the normal N = k δ^1.5 max(1 - 1.5 alpha u_n, 0); across it -s (k_t z + d_t u_t), with
     s such that it is at most mu N.
 
@@ -87,14 +71,14 @@ def contact_law(at: Meeting, values: Values) -> ContactLaw:
     friction = scaled(share, pull)
     bent = k_t * sqrt(dot(z, z))
     damping = where(less(gap.like(0), push), steepness * elastic, 0)
-    law = ContactLaw(
+    law = ContactForce(
         subtract(scaled(N, n), friction), energy=elastic * depth * Fraction(2, 5),
         power=(N - elastic) * rise - dot(friction, slip),
         across=Slopes(share * d_t, share * k_t),
         along=Slopes(damping, root * push * Fraction(3, 2)),
         rates=slip, kept=scaled(minimum(grip / maximum(bent, _LEAST), 1), z),
         contact=BodyContact(values["k"], gap, rise, values["depth"]))
-    return _with_moments(law, at, N, values)
+    return _with_moments(law, at, N, values) if at.w else law
 
 
 def resists_turning(values: Values) -> bool:
@@ -102,11 +86,9 @@ def resists_turning(values: Values) -> bool:
     return values.get("torsional") is not None or values.get("rolling") is not None
 
 
-def _with_moments(law: ContactLaw, at: Meeting, N: Number, values: Values) -> ContactLaw:
+def _with_moments(law: ContactForce, at: Meeting, N: Number, values: Values) -> ContactForce:
     """The law with the moments -torsional N w_n and -rolling N w_t, each over |w| or, where that is
     smaller, smoothly over eps.  Their slopes are those of the lines through rest."""
-    if not resists_turning(values):
-        return law
     zero, eps = N.like(0), values["eps"]
     spin = dot(at.w, at.n)
     roll = subtract(at.w, scaled(spin, at.n))
@@ -166,18 +148,13 @@ def damping_of(restitution: float, speed: float) -> float:
     return y / (1.5 * speed)
 
 
-PARAMETERS = (
+COMMON = (
     ParameterOf("mu", "1", "coefficient of friction", nonnegative=True),
-    ParameterOf("torsional", "m", "largest moment about the normal that resists spin, over the "
-                "normal force", required=False, nonnegative=True),
-    ParameterOf("rolling", "m", "largest moment that resists rolling, over the normal force",
-                required=False, nonnegative=True),
-    ParameterOf("eps", "rad/s", "angular velocity at which these moments have 71 % of their "
-                "values: slower ones creep", default=Fraction(1, 1000), positive=True),
     ParameterOf("depth", "m", "how deep it sinks under the load, in place of k; 1 mm, or 1/20 of "
                 "the radius if that is less, if neither is given", required=False, positive=True),
     ParameterOf("load", "N", "the weight of the body's tree over the number of its contacts, at "
-                f"most {MOST_AT_REST}, if not given", required=False, positive=True),
+                f"most {MOST_AT_REST}, or of the lighter of two trees, if not given",
+                required=False, positive=True),
     ParameterOf("k", "N/m^1.5", "stiffness; load/depth^1.5 if not given", required=False,
                 positive=True),
     ParameterOf("alpha", "s/m", "damping: a bounce at the speed v keeps about 1/(1 + alpha v) of "
@@ -189,5 +166,12 @@ PARAMETERS = (
                 required=False, positive=True),
     ParameterOf("d_t", "N s/m", "damping of the bristles; 0.4 sqrt(k_t load/g) if not given",
                 required=False, nonnegative=True))
-"""The parameters of the law."""
+"""The parameters of the law without moments."""
+MOMENTS = (
+    ParameterOf("torsional", "m", "largest moment about the normal that resists spin, over the "
+                "normal force", required=False, nonnegative=True),
+    ParameterOf("rolling", "m", "largest moment that resists rolling, over the normal force",
+                required=False, nonnegative=True),
+    ParameterOf("eps", "rad/s", "angular velocity at which these moments have 71 % of their "
+                "values: slower ones creep", default=Fraction(1, 1000), positive=True))
 STATES = tuple(StateOf(x, "m", f"deflection of the bristles along the world's {x}") for x in "xyz")

@@ -280,6 +280,45 @@ class Force:
 
 
 @dataclass(frozen=True)
+class ContactForce:
+    """The force on the first surface, in the world's frame, and what steps need of it."""
+
+    force: Vector
+    energy: Number
+    power: Number
+    across: Slopes
+    along: Slopes
+    rates: Vector
+    kept: Vector
+    contact: BodyContact
+    moment: Vector = ()
+    rolling: Slopes | None = None  # -∂moment/∂w across the normal
+    torsional: Slopes | None = None  # and about it
+
+
+@dataclass(frozen=True)
+class TwoBodies:
+    """The states of two bodies, of the effect between them, and the vector from a point of the
+    second to one of the first, in the world's frame."""
+
+    first: BodyState
+    second: BodyState
+    x: Vector
+    apart: Callable[[Vector, Vector], Vector]
+
+
+@dataclass(frozen=True)
+class Between:
+    """A contact of two bodies: the same place in the frame of each, the normal towards the first,
+    and its velocity there relative to the second, both in the world's frame."""
+
+    places: tuple[Vector, Vector]
+    n: Vector
+    u: Vector
+    law: ContactForce
+
+
+@dataclass(frozen=True)
 class BodyInertia:
     """Inertia that an effect adds to a body at a point of it: 36 numbers of a symmetric matrix, row
     by row, for the point's velocity and the angular velocity, in the body's axes."""
@@ -324,6 +363,7 @@ class Effect:
     body_force: Callable[[BodyState, Values], Force] | None = None
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    bodies_force: Callable[[TwoBodies, Values], Between] | None = None  # contact of two bodies
     states: tuple[StateOf, ...] = ()  # with rates and kept among the results of its law
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the

@@ -51,7 +51,7 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
     """The trees on which an effect exerts an external force, by first link."""
     if applied.effect.body_force or applied.effect.body_inertia:
         return {_root(tree, tree.link_and_body(applied.on)[0])}
-    if applied.effect.pair_force:
+    if applied.effect.pair_force or applied.effect.bodies_force:
         ends = {_root(tree, tree.link_and_body(body)[0]) for body in applied.bodies}
         return ends if len(ends) > 1 else set()
     if applied.effect.joint_torque or applied.effect.joint_inertia:

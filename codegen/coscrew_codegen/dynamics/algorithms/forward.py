@@ -27,19 +27,22 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
+from coscrew_codegen.dynamics.algorithms.soft_rows import (
+    SoftRow,
+    Solve,
+    Weights,
+    axes_about,
+    product,
+    with_soft_rows,
+)
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
 
-Weights = Callable[..., tuple[Number, Number]]
-"""(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
-also stiffness over it, in 1/s²) -> (m, c)."""
-
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
-_Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
 Inverse = Callable[[Sequence[Number]], list[Number]]
 """e -> (M + m)⁻¹ e."""
 
@@ -105,10 +108,28 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                 e = [motion.recorder.number(x.weights.get(k, 0)) for k in range(motion.tree.nv)]
                 solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
                                           solve, joint)
+    if start.touches:
+        with motion.recorder.part("touches", heading="contacts of bodies"):
+            solve, joint = with_soft_rows(_soft_rows(motion, start, acting), weights, solve, joint,
+                                          _still(motion))
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
     return Implicit(a, rates, moved, lambda e: solve(
         lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
+
+
+def _soft_rows(motion: Motion, start: AppliedEffects, acting: AppliedEffects) -> list[SoftRow]:
+    """Three rows of each contact of two bodies: along the normal, and two across it."""
+    rows = []
+    for touch, now in zip(start.touches, acting.touches, strict=True):
+        between, law = touch.between, touch.between.law
+        for direction, slopes in zip(axes_about(between.n), (law.along, law.across, law.across),
+                                     strict=True):
+            e = _along_velocities(motion, touch.unit_wrenches(direction))
+            rate = dot(direction, between.u)
+            faster = None if start is acting else dot(direction, now.between.u) - rate
+            rows.append(SoftRow(e, slopes, rate, faster))
+    return rows
 
 
 def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
@@ -129,7 +150,7 @@ def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
                     unit: Sequence[Number]) -> Number:
     """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
-    return _product(unit, inverse(motion, rigids, inertias)(unit))
+    return product(unit, inverse(motion, rigids, inertias)(unit))
 
 
 def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]) -> Inverse:
@@ -283,7 +304,7 @@ def _turn(slopes: PointSlopes, e: Wrench, twist: Wrench) -> Wrench:
     return add(turn, scaled((along - across) * dot(e[3:], twist[3:]), e))
 
 
-def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> _Solve:
+def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> Solve:
     """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
     that depend on neither are issued once."""
     if not motion.tree.follows:
@@ -313,16 +334,16 @@ def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) 
 
 
 def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: JointEffect,
-               weights: Weights, solve: _Solve, joint: Joint) -> tuple[_Solve, Joint]:
+               weights: Weights, solve: Solve, joint: Joint) -> tuple[Solve, Joint]:
     """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
     the initial rate l' = e·v, d (l'_now - l') e added.
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
     zero, and 1/(e·w) is the inertia that the effect acts on."""
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
-    slopes, rate, product = along.slopes, along.at.v, _product(e, w)
-    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
-    share = mass / (1 + mass * product)
+    slopes, rate, mobility = along.slopes, along.at.v, product(e, w)
+    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * mobility)
+    share = mass / (1 + mass * mobility)
     pull = c * rate
     if now is not along:
         pull = pull - slopes.damping * (now.at.v - rate)
@@ -330,7 +351,7 @@ def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: Joi
 
     def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         a = solve(joint, wrenches)
-        return list(subtract(a, scaled(share * _product(e, a), w)))
+        return list(subtract(a, scaled(share * product(e, a), w)))
 
     def joint_with_line(k: int, inertia: Number) -> tuple[Number, Number]:
         torque, own = joint(k, inertia)
@@ -346,13 +367,6 @@ def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) ->
         if link >= 0:
             total[link] = add(total[link], wrench)
     return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None, {}))
-
-
-def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
-    total = a[0].like(0)
-    for x, y in zip(a, b, strict=True):
-        total = total + x * y
-    return total
 
 
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:

@@ -31,8 +31,19 @@ class Touching:
     """A contact of a body."""
 
     x: FunctionRecording
-    link: int
+    links: tuple[int, ...]
     contact: BodyContact
+
+    @property
+    def link(self) -> int:
+        """The first link that moves."""
+        return next(k for k in self.links if k >= 0)
+
+    @property
+    def mass(self) -> Number:
+        """Of the link, or reduced of two links."""
+        first, *others = [maximum(self.x.rigids[k].m, _LEAST) for k in self.links if k >= 0]
+        return first if not others else first * others[0] / (first + others[0])
 
     def part(self) -> AbstractContextManager[None]:
         """Names instructions after the body's link."""
@@ -50,7 +61,7 @@ class Touching:
     def fifth_power(self, number: Number) -> Number:
         """(FINE h ω)^5, at most MOST^5, of one of `number` contacts."""
         h, = self.x.recorder.argument("h")
-        k, m = self.contact.k, maximum(self.x.rigids[self.link].m, _LEAST)
+        k, m = self.contact.k, self.mass
         hertz = _hertz(maximum(-self.contact.gap, 0))
         rise = self.contact.rise * self.contact.rise * m * Fraction(5, 4) / k
         bouncing = rise + maximum(hertz - _hertz(self.contact.resting * 2), 0)
@@ -66,9 +77,11 @@ def _hertz(depth: Number) -> Number:
 
 def touching(x: FunctionRecording) -> Iterator[Touching]:
     """The contacts of bodies."""
-    own = [y for y in x.scene.effects if y.effect.parts or y.effect.ground]
+    own = [y for y in x.scene.effects if y.effect.parts or y.effect.ground or y.effect.bodies_force]
     acting = AppliedEffects(replace(x.scene, effects=tuple(own)), x.motion(accelerating=False))
-    for link, forces in sorted(acting.act().forces.items()):
+    for touch in acting.act().touches:
+        yield Touching(x, tuple(state.link for state in touch.states), touch.between.law.contact)
+    for link, forces in sorted(acting.forces.items()):
         for force in forces:
             if force.force.contact:
-                yield Touching(x, link, force.force.contact)
+                yield Touching(x, (link,), force.force.contact)

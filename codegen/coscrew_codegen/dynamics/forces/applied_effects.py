@@ -15,6 +15,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     displacement,
     dot,
     maximum,
+    negative,
     scaled,
     sqrt,
     subtract,
@@ -42,6 +43,7 @@ from coscrew_codegen.dynamics.forces.exerted_forces import (
     AppliedForce,
     Paired,
     Summed,
+    Touch,
     own_power,
 )
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
@@ -51,10 +53,14 @@ from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
     FIRST,
     SECOND,
+    Between,
+    ContactForce,
     CoordinateState,
     Effect,
     Force,
     Torque,
+    TwoBodies,
+    Values,
     required,
 )
 from coscrew_codegen.scene.identifiers import identifiers
@@ -75,6 +81,7 @@ class AppliedEffects:
         self.torques: dict[int, list[JointEffect]] = {}
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
+        self.touches: list[Touch] = []
         self.sums: list[Summed] = []
         self.rates: list[Number] = []  # x' of the effects' states
         self.kept: list[Number] = []  # the states within their bounds
@@ -103,7 +110,8 @@ class AppliedEffects:
             for state, force in zip(pair.states, pair.forces, strict=True):
                 self._add(state, force)
             self.pairs.append(pair)
-
+        if effect.bodies_force:
+            self._touch(effect.bodies_force, applied)
         if effect.body_inertia:
             link, inertia = inertia_in_link(applied, self.recorder, self.motion.tree)
             if not inertia.is_zero:
@@ -120,7 +128,7 @@ class AppliedEffects:
         if applied.effect.states:
             self._note(applied, along.torque)
 
-    def _note(self, applied: Applied, law: Torque | Force) -> None:
+    def _note(self, applied: Applied, law: Torque | Force | ContactForce) -> None:
         """Keeps the rates and the bounds of an effect's states."""
         if applied.effect.states:
             for name, of in (("rates", law.rates), ("kept", law.kept)):
@@ -189,6 +197,17 @@ class AppliedEffects:
         return Paired((first, second), (a, b), direction,
                       JointEffect(law, CoordinateState(length, rate, self.t), applied.values,
                                   self.recorder.current))
+
+    def _touch(self, law: Callable[[TwoBodies, Values], Between], applied: Applied) -> None:
+        first, second = (self._body(name) for name in applied.bodies)
+        two = TwoBodies(first, second, self.motion.states(applied.name),
+                        lambda a, b: negative(first.line_to(a, second, b)))
+        between = law(two, settings(self.recorder, applied.values, self.t))
+        touch = Touch((first, second), between)
+        for state, force in zip(touch.states, touch.forces, strict=True):
+            self._add(state, force)
+        self._note(applied, between.law)
+        self.touches.append(touch)
 
     def _add(self, state: BodyOfLink, force: Force) -> None:
         self.forces.setdefault(state.link, []).append(AppliedForce(state, force))

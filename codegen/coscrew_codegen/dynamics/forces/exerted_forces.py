@@ -7,7 +7,7 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, Vector, negative, scaled
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
-from coscrew_codegen.scene.effect import Force, PointSlopes, Slopes, Torque, required
+from coscrew_codegen.scene.effect import Between, Force, PointSlopes, Slopes, Torque, required
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,30 @@ class Paired:
                   Force(self.points[1], second.own_direction(u)))
         return [(state.link, AppliedForce(state, force).on_link)
                 for state, force in zip(self.states, forces, strict=True)]
+
+
+@dataclass(frozen=True)
+class Touch:
+    """A contact of two bodies."""
+
+    states: tuple[BodyOfLink, BodyOfLink]
+    between: Between
+
+    @property
+    def forces(self) -> tuple[Force, Force]:
+        """The forces on both bodies; energy and power are counted with the first."""
+        (here, there), law = self.between.places, self.between.law
+        first, second = self.states
+        return (Force(here, first.own_direction(law.force), energy=law.energy, power=law.power,
+                      rates=law.rates, kept=law.kept),
+                Force(there, second.own_direction(negative(law.force)), power=law.power.like(0)))
+
+    def unit_wrenches(self, direction: Vector) -> list[tuple[int, tuple[Number, ...]]]:
+        """(link, wrench on it) for forces of 1 N along a direction on the first, against it on the
+        second."""
+        return [(state.link, AppliedForce(state, Force(place, state.own_direction(x))).on_link)
+                for state, place, x in zip(self.states, self.between.places, (
+                    direction, negative(direction)), strict=True)]
 
 
 @dataclass(frozen=True)

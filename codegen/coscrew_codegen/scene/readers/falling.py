@@ -41,7 +41,7 @@ def _pushed(applied: Applied, bases: Mapping[str, str]) -> Iterator[str]:
     """The free joints of the trees on which an effect acts from outside."""
     if applied.effect.body_force:
         yield bases[applied.on]
-    elif applied.effect.pair_force:
+    elif applied.effect.pair_force or applied.effect.bodies_force:
         ends = {bases[body] for body in applied.bodies}
         yield from ends if len(ends) > 1 else ()
     elif applied.effect.joint_torque:

@@ -139,9 +139,10 @@ def completed(effects: TomlTable, model: Model, applied: list[Applied]) -> list[
     results = []
     for x in applied:
         if x.effect.completed:
-            root = roots.get(x.on)
-            weight = g * _mass(model, roots, root) if root else Fraction(0)
-            resting = Resting(weight / min(counts[x.effect.name, root], MOST_AT_REST), g)
+            trees = {roots.get(body, WORLD) for body in x.bodies or (x.on,)} - {WORLD}
+            weight = g * min((_mass(model, roots, root) for root in trees), default=Fraction(0))
+            count = 1 if x.bodies else counts[x.effect.name, roots.get(x.on)]
+            resting = Resting(weight / min(count, MOST_AT_REST), g)
             try:
                 values = x.effect.completed(x.values, resting)
             except ValueError as error:

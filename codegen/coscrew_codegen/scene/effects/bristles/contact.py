@@ -12,7 +12,8 @@ from coscrew_codegen.algebra.recording.numbers import (
     subtract,
 )
 from coscrew_codegen.scene.contact_law import (
-    PARAMETERS,
+    COMMON,
+    MOMENTS,
     STATES,
     Meeting,
     completed,
@@ -85,6 +86,6 @@ EFFECT = Effect(
      ParameterOf("length", "m", "distance between the centres of a capsule's ends",
                  of=("capsule",), positive=True),
      ParameterOf("size", "m", "edges of a box", "vector", of=("box",), positive=True),
-     *PARAMETERS),
+     *COMMON, *MOMENTS),
     body_force=_force, stores_energy=True, chosen_by="shape", parts=parts, parts_of=parts_of,
     completed=completed, states=STATES)
