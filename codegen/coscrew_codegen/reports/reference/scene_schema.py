@@ -144,7 +144,7 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number),
         "formula": {"anyOf": [number, _TRAJECTORY]},
-        "height": {"type": "string"},
+        "height": {"anyOf": [{"type": "string"}, _closed({"file": {"type": "string"}}, ["file"])]},
         "formulas": _VECTOR, "body": {"type": "string"},
         "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
         "matrix": _array(6, _array(6, _NUMBER))}

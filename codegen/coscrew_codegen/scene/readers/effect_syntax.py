@@ -53,7 +53,7 @@ def _line(parameter: ParameterOf) -> str:
 
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
-    kinds = {"height": "a function of x and y", "vector": "three numbers",
+    kinds = {"height": "a function of x and y, or a grid of heights", "vector": "three numbers",
              "formula": "a number, a function of t or a "
              "trajectory",
              "formulas": "three numbers or functions of t", "flag": "true or false",
