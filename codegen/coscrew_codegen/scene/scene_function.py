@@ -191,6 +191,9 @@ class Dynamics(Protocol):
     def with_closed_loops(self) -> Results:
         """q and v moved onto the closures of loops."""
 
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+
     def closing(self) -> Number:
         """The number of limits that are closed, or would be after moving with v for h."""
 

@@ -16,13 +16,11 @@ from coscrew_codegen.algebra.recording.numbers import Number, maximum, minimum, 
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect import BodyContact
+from coscrew_codegen.scene.functions.steps.step_parts import MOST_OF_CONTACTS
 
 FINE = 8
 """A step is split into parts of length s such that ω s <= 1/FINE; then a bounce loses at most 0.2 %
 of its energy by the steps."""
-MOST = 64
-"""Largest number of parts for contacts of bodies: where more would be needed, bounces lose speed,
-but the implicit step stays stable."""
 _LEAST = Fraction(1, 10**30)
 
 
@@ -59,7 +57,7 @@ class Touching:
         return maximum(-gap, 0) + maximum(-(gap + h * rise), 0)
 
     def fifth_power(self, number: Number) -> Number:
-        """(FINE h ω)^5, at most MOST^5, of one of `number` contacts."""
+        """(FINE h ω)^5, at most MOST_OF_CONTACTS^5, of one of `number` contacts."""
         h, = self.x.recorder.argument("h")
         k, m = self.contact.k, self.mass
         hertz = _hertz(maximum(-self.contact.gap, 0))
@@ -67,7 +65,7 @@ class Touching:
         bouncing = rise + maximum(hertz - _hertz(self.contact.resting * 2), 0)
         rate = h * h * k / m * number * Fraction(3 * FINE**2, 2) * bouncing
         share = rate / maximum(hertz + rise, _LEAST)
-        return minimum(share * share * sqrt(rate), MOST**5)
+        return minimum(share * share * sqrt(rate), MOST_OF_CONTACTS**5)
 
 
 def _hertz(depth: Number) -> Number:

@@ -50,6 +50,12 @@ class AppliedForce:
         return slopes.along, AppliedForce(self.state, unit).on_link
 
     @property
+    def normal(self) -> Vector | None:
+        """The direction along which it has slopes of their own, in the body's frame."""
+        slopes = self.force.slopes
+        return slopes.direction if isinstance(slopes, PointSlopes) else None
+
+    @property
     def turning(self) -> tuple[PointSlopes, tuple[Number, ...]] | None:
         """The slopes of its moment, and the wrench on the link of 1 N m along their direction."""
         slopes = self.force.turning
