@@ -6,7 +6,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene.readers.xacro_reader import READER
+from coscrew_codegen.scene.readers.xacro.xacro_reader import READER
 from tests.support.scenes.reading import read_urdf
 
 pytest.importorskip("xacro", reason='needs pip install "coscrew[xacro]"')

@@ -98,6 +98,10 @@ class Derivation:
             case AxisLength.CONTACTS:
                 return sum(bool(x.effect.parts or x.effect.bodies_force)
                            for x in self.scene.effects)
+            case AxisLength.EFFECT_STATES:
+                return count_of(states_of(self.scene))
+            case AxisLength.SWITCHES:
+                return sum(x.effect.switches for x in self.scene.effects)
 
     # recording
 

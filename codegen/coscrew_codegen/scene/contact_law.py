@@ -76,7 +76,8 @@ def contact_law(at: Meeting, values: Values) -> ContactForce:
         power=(N - elastic) * rise - dot(friction, slip),
         across=Slopes(share * d_t, share * k_t),
         along=Slopes(damping, root * push * Fraction(3, 2)),
-        rates=slip, kept=scaled(minimum(grip / maximum(bent, _LEAST), 1), z),
+        rates=slip, bounded=z, share=minimum(grip / maximum(bent, _LEAST), 1),
+        switches=(gap, grip - sqrt(dot(pull, pull)), grip - bent),
         contact=BodyContact(values["k"], gap, rise, values["depth"]))
     return _with_moments(law, at, N, values) if at.w else law
 
@@ -175,3 +176,6 @@ MOMENTS = (
     ParameterOf("eps", "rad/s", "angular velocity at which these moments have 71 % of their "
                 "values: slower ones creep", default=Fraction(1, 1000), positive=True))
 STATES = tuple(StateOf(x, "m", f"deflection of the bristles along the world's {x}") for x in "xyz")
+SWITCHES = 3
+"""It closes or opens, it begins or ceases to slip, its bristles reach their bounds or leave them.
+"""

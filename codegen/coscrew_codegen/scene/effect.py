@@ -221,8 +221,9 @@ class Torque:
     (`dynamics/forces/linearization.py` says how they are bounded). `damping`, `stiffness`: these,
     at least 0, from an effect that has a shorter form of them.
 
-    `rates` are x' of the effect's states, `kept` the states within their bounds at this motion: a
-    step moves x by its rates, and then puts it there."""
+    `rates` are x' of the effect's states.  With a `share`, `bounded` are the states and share times
+    these are those within their bounds: a step moves x by its rates, and then puts it there.
+    `switches`: numbers that change their signs where another part of the law begins."""
 
     torque: Number | None = None
     limit: Number | None = None
@@ -233,7 +234,9 @@ class Torque:
     damping: Number | None = None
     stiffness: Number | None = None
     rates: Vector = ()
-    kept: Vector = ()
+    bounded: Vector = ()
+    share: Number | None = None
+    switches: Vector = ()
     ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
     # that is larger: it starts at once, at some speed
 
@@ -265,7 +268,7 @@ class Force:
     Such an energy may depend on the body's pose and on time, not on its motion.
 
     `slopes` are -∂force/∂ of the point's velocity and position: implicit steps take them in as
-    inertias at the point.  `rates` and `kept` as in Torque."""
+    inertias at the point.  `rates`, `bounded`, `share` and `switches` as in Torque."""
 
     point: Vector | None = None
     force: Vector | None = None
@@ -276,7 +279,9 @@ class Force:
     turning: PointSlopes | None = None  # likewise -∂moment/∂ of the angular velocity, with `slopes`
     contact: BodyContact | None = None
     rates: Vector = ()
-    kept: Vector = ()
+    bounded: Vector = ()
+    share: Number | None = None
+    switches: Vector = ()
 
 
 @dataclass(frozen=True)
@@ -289,7 +294,9 @@ class ContactForce:
     across: Slopes
     along: Slopes
     rates: Vector
-    kept: Vector
+    bounded: Vector
+    share: Number
+    switches: Vector
     contact: BodyContact
     moment: Vector = ()
     rolling: Slopes | None = None  # -∂moment/∂w across the normal
@@ -364,7 +371,8 @@ class Effect:
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
     bodies_force: Callable[[TwoBodies, Values], Between] | None = None  # contact of two bodies
-    states: tuple[StateOf, ...] = ()  # with rates and kept among the results of its law
+    states: tuple[StateOf, ...] = ()  # with rates among the results of its law
+    switches: int = 0  # the number of those among the results of its law
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
     # parts of a body on which it acts; its tables have labels
@@ -384,3 +392,8 @@ class Effect:
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone
+
+    @property
+    def on_sums(self) -> bool:
+        """True if it can act on a weighted sum of joints' coordinates."""
+        return self.joint_torque is not None or self.joint_inertia is not None

@@ -20,7 +20,6 @@ from dataclasses import dataclass
 
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -149,12 +148,3 @@ def count_of(states: list[EffectStates] | tuple[EffectStates, ...]) -> int:
 def places_of(scene: Scene) -> Mapping[str, range]:
     """The places in x of each effect's states, by the effect's name."""
     return {x.name: x.places for x in states_of(scene)}
-
-
-def why_not_moved(scene: Scene, integrator: str) -> str:
-    """Says why the integrator cannot move the scene's states; "" if it can, or there are none."""
-    states = states_of(scene)
-    if not states or INTEGRATOR_NAMED[integrator].moves_states:
-        return ""
-    able = " or ".join(x.name for x in INTEGRATOR_NAMED.values() if x.moves_states)
-    return f"{integrator} does not move the states of effects, as {states[0].name}; wanted {able}"

@@ -194,6 +194,15 @@ class Dynamics(Protocol):
     def contacts(self) -> Results:
         """Points, forces, depths and friction of the contacts of bodies."""
 
+    def state_rates(self) -> Results:
+        """x' of effects' states, and q with them within their bounds."""
+
+    def moved_states(self) -> Numbers:
+        """q with effects' states moved by h at v."""
+
+    def switches(self) -> Numbers:
+        """Numbers that change their signs where another part of an effect's law begins."""
+
     def closing(self) -> Number:
         """The number of limits that are closed, or would be after moving with v for h."""
 

@@ -36,7 +36,8 @@ from coscrew_codegen.scene.effect import Contact, CoordinateState, required
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
+from coscrew_codegen.scene.scene import Applied
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -92,7 +93,8 @@ def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> 
     nq, (h,) = x.tree.nq, x.recorder.argument("h")
     if len(q) == nq:
         return list(q)
-    rates = AppliedEffects(x.scene, x.motion(at=(q, v))).act().rates
+    states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
+    rates = [rate for own in states for rate in own.law.rates]
     with x.recorder.part("x", heading="states of effects"):
         return [*q[:nq], *add(tuple(q[nq:]), scaled(h / 2, rates))]
 
@@ -102,8 +104,8 @@ def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> lis
     if len(q) == x.tree.nq:
         return list(q)
     moved = _drifted(x, q, v)
-    kept = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().kept
-    return [*q[:x.tree.nq], *kept]
+    states = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().states
+    return [*q[:x.tree.nq], *(y for own in states for y in own.kept)]
 
 
 def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
@@ -182,7 +184,7 @@ class _Closing:
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
         terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion, terms)
+        weights = weights_of(motion.tree, terms)
         return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
 
 

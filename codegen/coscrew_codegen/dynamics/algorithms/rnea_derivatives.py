@@ -26,7 +26,7 @@ are moved to the joints before it, where they have these components along their 
 Entries of joints in different branches are zero, and nothing computes them.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -48,6 +48,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, symmetric
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench, net_wrenches
 from coscrew_codegen.dynamics.algorithms.screw_rates import subspace_rates
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 Matrix = list[list[Number]]
 Six = tuple[Number, ...]
@@ -88,7 +89,7 @@ class _Beyond:
                        add(self.p, other.p), add(self.f, other.f))
 
 
-def derivatives(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]
+def derivatives(motion: Motion, rigids: Sequence[Rigid], inertias: OwnInertias
                 ) -> TorqueDerivatives:
     """The derivatives of the torques for a motion, of links with these inertias; `inertias`, those
     of joints themselves, are added to M's diagonal.  Each joint's screws must be constants in its
@@ -130,7 +131,7 @@ class _Recursion:
             self._enter_velocity(number)
             self.freedoms.append(self._freedoms(number))
 
-    def derivatives(self, inertias: Mapping[str, Number]) -> TorqueDerivatives:
+    def derivatives(self, inertias: OwnInertias) -> TorqueDerivatives:
         """The matrices, of velocities."""
         beyond = [self._own(number, f) for number, f in enumerate(
             net_wrenches(self.motion, self.rigids, None))]
@@ -141,8 +142,8 @@ class _Recursion:
             if parent >= 0:
                 with self.motion.part(number, "C"):
                     beyond[parent] = beyond[parent].plus(self._moved(number, beyond[number]))
-        matrices = map(self._gathered, (self.dq, self.dv, self._with(inertias)))
-        return TorqueDerivatives(*matrices)
+        dq, dv, M = map(self._gathered, (self.dq, self.dv, self._with(inertias)))
+        return TorqueDerivatives(dq, dv, inertias.enter(M))
 
     # outwards: velocities, and the rates of screws
 
@@ -265,7 +266,7 @@ class _Recursion:
 
     # velocities
 
-    def _with(self, inertias: Mapping[str, Number]) -> Matrix:
+    def _with(self, inertias: OwnInertias) -> Matrix:
         for number, link in enumerate(self.tree.links):
             if link.joint.name in inertias:
                 for _, place in self._places(number):
@@ -298,7 +299,7 @@ class _Coriolis(_Recursion):
     def matrix(self) -> Matrix:
         """C, of velocities."""
         self.screw_rates = [self._screw_rates(n) for n in range(len(self.tree.links))]
-        return self.derivatives({}).dv
+        return self.derivatives(OwnInertias()).dv
 
     def _screw_rates(self, number: int) -> list[Six]:
         """(v; w) × s, plus the rates of screws that depend on q."""

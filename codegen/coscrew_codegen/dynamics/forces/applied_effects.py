@@ -47,6 +47,7 @@ from coscrew_codegen.dynamics.forces.exerted_forces import (
     own_power,
 )
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.moving_states import MovingStates
 from coscrew_codegen.dynamics.forces.potentials import body_force
 from coscrew_codegen.dynamics.forces.scene_constants import owner
 from coscrew_codegen.program.differentiate import Dual
@@ -83,8 +84,7 @@ class AppliedEffects:
         self.pairs: list[Paired] = []
         self.touches: list[Touch] = []
         self.sums: list[Summed] = []
-        self.rates: list[Number] = []  # x' of the effects' states
-        self.kept: list[Number] = []  # the states within their bounds
+        self.states: list[MovingStates] = []
         self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
@@ -122,21 +122,23 @@ class AppliedEffects:
                              self._holding(x.link, applied), self.motion.states(applied.name))
         along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
         if x.link == SUM:
-            self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
+            self.sums.append(Summed(weights_of(self.motion.tree, applied.terms), along))
         else:
             self.torques.setdefault(x.link, []).append(along)
         if applied.effect.states:
             self._note(applied, along.torque)
 
     def _note(self, applied: Applied, law: Torque | Force | ContactForce) -> None:
-        """Keeps the rates and the bounds of an effect's states."""
-        if applied.effect.states:
-            for name, of in (("rates", law.rates), ("kept", law.kept)):
-                if len(of) != len(applied.effect.states):
-                    raise TypeError(f"{applied.effect.name} has {len(applied.effect.states)} "
-                                    f"states; its law gives {len(of)} {name}")
-            self.rates += law.rates
-            self.kept += law.kept
+        """Keeps the states of an effect, with their rates and bounds."""
+        effect, x = applied.effect, self.motion.states(applied.name)
+        if not x:
+            return
+        bounded = len(x) if law.share is not None else 0
+        for name, of, wanted in (("rates", law.rates, len(x)), ("bounded", law.bounded, bounded),
+                                 ("switches", law.switches, effect.switches)):
+            if len(of) != wanted:
+                raise TypeError(f"{effect.name} has {wanted} {name}; its law gives {len(of)}")
+        self.states.append(MovingStates(x, law))
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""

@@ -119,8 +119,7 @@ class Touch:
         """The forces on both bodies; energy and power are counted with the first."""
         (here, there), law = self.between.places, self.between.law
         first, second = self.states
-        return (Force(here, first.own_direction(law.force), energy=law.energy, power=law.power,
-                      rates=law.rates, kept=law.kept),
+        return (Force(here, first.own_direction(law.force), energy=law.energy, power=law.power),
                 Force(there, second.own_direction(negative(law.force)), power=law.power.like(0)))
 
     def unit_wrenches(self, direction: Vector) -> list[tuple[int, tuple[Number, ...]]]:

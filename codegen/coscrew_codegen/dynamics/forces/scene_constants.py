@@ -1,9 +1,12 @@
 """Gravity and the inertias of joints: what effects add to a scene that no motion changes."""
 
-from coscrew_codegen.algebra.recording.numbers import Number, Vector, add
+from coscrew_codegen.algebra.recording.numbers import Vector, add
 from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics.forces.acted_coordinates import weights_of
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias, SummedInertia
 from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
@@ -24,14 +27,17 @@ def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
     return total
 
 
-def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
-    """The inertias that effects add to joints, by joint."""
-    total: dict[str, Number] = {}
+def joint_inertias(scene: Scene, recorder: Recorder, tree: Tree) -> OwnInertias:
+    """The inertias that effects add to joints, and to sums of coordinates."""
+    total = OwnInertias()
     for applied in scene.effects:
         if applied.effect.joint_inertia:
             values = settings(recorder, applied.values, recorder.number(0))
             own = applied.effect.joint_inertia(values)
             prefix, = identifiers([owner(applied)])
             own, = recorder.label("I", own, prefix)
-            total[applied.on] = total[applied.on] + own if applied.on in total else own
+            if applied.terms:
+                total.sums.append(SummedInertia(weights_of(tree, applied.terms), own))
+            else:
+                total[applied.on] = total[applied.on] + own if applied.on in total else own
     return total

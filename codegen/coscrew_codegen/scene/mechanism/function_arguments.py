@@ -22,6 +22,8 @@ class AxisLength(Enum):
     BASE = "base parameters"
     ROWS = "rows of closed loops"
     CONTACTS = "contacts of bodies"
+    EFFECT_STATES = "states of effects"
+    SWITCHES = "numbers that switch effects with states"
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from coscrew_codegen.scene.contact_law import (
     COMMON,
     MOMENTS,
     STATES,
+    SWITCHES,
     Meeting,
     completed,
     contact_law,
@@ -68,7 +69,8 @@ def _force(state: BodyState, values: Values) -> Force:
         point, state.own_direction(law.force),
         state.own_direction(law.moment) if turning else None, law.energy, law.power,
         slopes=PointSlopes(law.across, law.along, up), turning=turning,
-        rates=law.rates, kept=law.kept, contact=law.contact)
+        rates=law.rates, bounded=law.bounded, share=law.share, switches=law.switches,
+        contact=law.contact)
 
 
 EFFECT = Effect(
@@ -88,4 +90,4 @@ EFFECT = Effect(
      ParameterOf("size", "m", "edges of a box", "vector", of=("box",), positive=True),
      *COMMON, *MOMENTS),
     body_force=_force, stores_energy=True, chosen_by="shape", parts=parts, parts_of=parts_of,
-    completed=completed, states=STATES)
+    completed=completed, states=STATES, switches=SWITCHES)

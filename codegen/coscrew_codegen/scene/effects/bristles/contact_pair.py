@@ -13,7 +13,14 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
-from coscrew_codegen.scene.contact_law import COMMON, STATES, Meeting, completed, contact_law
+from coscrew_codegen.scene.contact_law import (
+    COMMON,
+    STATES,
+    SWITCHES,
+    Meeting,
+    completed,
+    contact_law,
+)
 from coscrew_codegen.scene.effect import (
     FIRST,
     POINTS,
@@ -99,4 +106,5 @@ EFFECT = Effect(
      *(ParameterOf(f"{x.name}_radius", "m", f"radius of the {x.name} body's sphere or capsule",
                    positive=True) for x in POINTS),
      *COMMON),
-    bodies_force=_force, stores_energy=True, completed=_completed, states=STATES)
+    bodies_force=_force, stores_energy=True, completed=_completed, states=STATES,
+    switches=SWITCHES)

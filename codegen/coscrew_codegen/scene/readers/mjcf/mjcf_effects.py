@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.readers.declared_effects import Effects
+from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import rotors
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import (
     MjcfNames,
     decimals,
@@ -26,7 +27,7 @@ def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, o
     g = [0.0 if weightless else float(x) for x in model.opt.gravity]
     tables: dict[str, dict[str, object]] = {
         "actuator": dict(actuators), "armature": {}, "gravity": {"g": decimals(g)}, "spring": {},
-        "viscous": {}, "wrench": {}}
+        "spring_damper": {}, "viscous": {}, "wrench": {}}
     for j in range(model.njnt):
         name, dof = names.joint(j), int(model.jnt_dofadr[j])
         if model.dof_armature[dof]:
@@ -40,8 +41,9 @@ def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, o
             tables["wrench"][f"gravcomp of {names.body(b)}"] = {
                 "body": names.body(b), "point": decimals(model.body_ipos[b]),
                 "force": decimals(lift * x for x in g), "frame": "world"}
-    for name, table in tendons(model, names).effects.items():
-        tables[name] |= table
+    for more in (tendons(model, names).effects, rotors(model, names)):
+        for name, table in more.items():
+            tables[name] |= table
     return {name: table for name, table in tables.items() if table}
 
 
