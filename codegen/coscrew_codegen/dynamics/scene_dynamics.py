@@ -31,8 +31,8 @@ from coscrew_codegen.dynamics.algorithms import (
     rnea,
     rnea_derivatives,
 )
-from coscrew_codegen.dynamics.algorithms.contact_values import contact_values
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.contacts.contact_values import contact_values
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording

@@ -27,7 +27,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.algorithms.soft_rows import (
+from coscrew_codegen.dynamics.contacts.soft_rows import (
     SoftRow,
     Solve,
     Weights,

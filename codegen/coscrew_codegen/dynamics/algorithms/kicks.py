@@ -24,8 +24,8 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.soft_rows import Weights
-from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
+from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings

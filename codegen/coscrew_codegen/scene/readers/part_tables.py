@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import sqrt
 from typing import cast
 
+from coscrew_codegen.scene.contacts.touching_parts import SHAPE_KEYS, SHAPES, touches
 from coscrew_codegen.scene.effect import MOST_AT_REST, Resting, required
 from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.model import WORLD, Model, value
@@ -17,7 +18,6 @@ from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, EffectTable
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 from coscrew_codegen.scene.scene import Applied, Setting
-from coscrew_codegen.scene.touching_parts import SHAPE_KEYS, SHAPES, touches
 
 
 def on_parts(reading: EffectTable) -> list[Applied]:

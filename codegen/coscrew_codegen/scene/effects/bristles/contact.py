@@ -11,7 +11,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
-from coscrew_codegen.scene.contact_law import (
+from coscrew_codegen.scene.contacts.contact_law import (
     COMMON,
     MOMENTS,
     STATES,
@@ -21,6 +21,7 @@ from coscrew_codegen.scene.contact_law import (
     contact_law,
     resists_turning,
 )
+from coscrew_codegen.scene.contacts.touching_parts import parts, parts_of
 from coscrew_codegen.scene.effect import (
     BodyState,
     Effect,
@@ -30,7 +31,6 @@ from coscrew_codegen.scene.effect import (
     PointSlopes,
     Values,
 )
-from coscrew_codegen.scene.touching_parts import parts, parts_of
 
 _FLAT = Fraction(1, 10**6)
 """Smallest sine of the angle between a disc and the ground: of one that lies flat the rim has no

@@ -13,7 +13,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
-from coscrew_codegen.scene.contact_law import (
+from coscrew_codegen.scene.contacts.contact_law import (
     COMMON,
     STATES,
     SWITCHES,

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator, Mapping
 
+from coscrew_codegen.scene.contacts.touching_parts import touches
 from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Model
 from coscrew_codegen.scene.mechanism.notices import FALLING, Notice
 from coscrew_codegen.scene.scene import Applied, zero
-from coscrew_codegen.scene.touching_parts import touches
 
 ACCEPT = "accept"
 """The value of a scene's `falling` without which the notice is given."""

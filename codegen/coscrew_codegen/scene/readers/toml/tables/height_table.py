@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
+from coscrew_codegen.scene.contacts.height_grid import MOST, HeightGrid
 from coscrew_codegen.scene.formulas import PLACE
-from coscrew_codegen.scene.height_grid import MOST, HeightGrid
 from coscrew_codegen.scene.readers.contents import read_text
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError

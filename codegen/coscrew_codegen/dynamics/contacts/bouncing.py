@@ -39,7 +39,7 @@ class Touching:
 
     @property
     def mass(self) -> Number:
-        """Of the link, or reduced of two links."""
+        """The mass of the link, or the reduced mass of two links."""
         first, *others = [maximum(self.x.rigids[k].m, _LEAST) for k in self.links if k >= 0]
         return first if not others else first * others[0] / (first + others[0])
 
