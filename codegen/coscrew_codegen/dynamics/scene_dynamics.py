@@ -32,6 +32,7 @@ from coscrew_codegen.dynamics.algorithms import (
     rnea_derivatives,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.contacts.contact_values import contact_values
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
@@ -360,6 +361,11 @@ class RecordedDynamics:
         """q and v corrected to the momenta c."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return floating.corrected(self._recording, self._roots())
+
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [*contact_values(self._motion, self._acting)]
 
     def closing(self) -> Number:
         """The number of contacts that are closed or close."""

@@ -24,7 +24,8 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
+from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
@@ -45,7 +46,7 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 `check`. At the end of the bounce it is far less."""
 
 
-def weights(h: Number) -> forward.Weights:
+def weights(h: Number) -> Weights:
     """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
 
     Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
@@ -56,7 +57,7 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
-def end_weights(h: Number) -> forward.Weights:
+def end_weights(h: Number) -> Weights:
     """(inertia, torque per velocity) for forces at the end of a step h."""
     return lambda d, k, *_: ((d + k * h) * h, k * h)
 

@@ -20,7 +20,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     subtract,
     where,
 )
-from coscrew_codegen.scene.effect import Force, Torque
+from coscrew_codegen.scene.effect import ContactForce, Force, Torque
 
 _LEAST = Fraction(1, 8)
 """Smallest divisor of rates along the bounds: where these shrink to nothing, so does what x does.
@@ -34,7 +34,7 @@ class MovingStates:
     """The states of an effect, and its law there."""
 
     x: Vector
-    law: Torque | Force
+    law: Torque | Force | ContactForce
 
     @property
     def kept(self) -> Vector:
