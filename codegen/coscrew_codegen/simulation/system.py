@@ -14,6 +14,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime.step_calls import Driven, InC, Take
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
@@ -170,9 +171,18 @@ class System:
             v[c.v] = self.scene.start_v.get(c.joint, v[c.v])
         first = len(q) - len(self.functions.states)
         for place, (column, _) in enumerate(self.functions.states, first):
-            q[place] = self.scene.start_x.get(column, q[place])
+            q[place] = self.scene.start_x.get(column, self._start_of_state(place - first, q, v))
         with np.errstate(over="ignore"):  # in single precision; `integrate` refuses infinities
             return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
+
+    def _start_of_state(self, place: int, q: np.ndarray, v: np.ndarray) -> float:
+        """The number from which a state of an effect starts: a rotor's are those of its joint."""
+        own = next(x for x in states_of(self.scene) if place in x.places)
+        starts = own.applied.states[place - own.places.start].starts
+        at = next((c for c in self.functions.coordinates if c.joint == own.applied.on), None)
+        if not starts or at is None:
+            return 0.0
+        return float(q[at.q.start] if starts == "q" else v[at.v.start])
 
     def normalized(self, q: np.ndarray) -> np.ndarray:
         """q with quaternions of norm 1.  (…, nq)->(…, nq)."""
