@@ -201,7 +201,7 @@ def test_a_drag_turns_the_view_and_not_the_time(shown):
     assert after[1] == pytest.approx(before[1] + 2 * math.pi * 30 / height, abs=1e-3)
     assert after[2] == pytest.approx(before[2])
     assert clock(shown) == t
-    shown.find_element(By.ID, "reset").click()
+    shown.find_element(By.TAG_NAME, "body").send_keys("r")
     assert camera(shown) == pytest.approx(before, rel=1e-6)
 
 

@@ -215,7 +215,7 @@ class _Solution:
         """The velocities with which a unit velocity moves the joints beyond, if they are free."""
         y = [self.zero] * self.nv
         y[i] = self.zero.like(1)
-        if self.x.tree.follows:  # D is then a diagonal entry of M
+        if forward.dense(self.start.motion, self.x.inertias):  # D is then a diagonal entry of M
             return y
         L = self._factors.reversed_factors.L
         end = next(link.v.stop for link in self.x.tree.links if i in link.v)

@@ -36,7 +36,7 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops import demands
-from coscrew_codegen.dynamics.loops.closures import closures
+from coscrew_codegen.dynamics.loops.couplings import closures
 from coscrew_codegen.dynamics.loops.multipliers import Constrained, ConstraintRows
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.step_jacobians import OtherFunctions

@@ -361,3 +361,9 @@ class Effect:
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone
+
+    @property
+    def on_sums(self) -> bool:
+        """True if it can act on a weighted sum of joints' coordinates."""
+        acts = self.joint_torque is not None or self.joint_inertia is not None
+        return acts and not self.elastic

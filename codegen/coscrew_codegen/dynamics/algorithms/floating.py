@@ -74,11 +74,11 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder), states=places_of(scene))
     only = alone(scene, applied)
-    acting = AppliedEffects(only, motion).act()
+    acting, own = AppliedEffects(only, motion).act(), joint_inertias(only, recorder, tree)
     numbers = [*(x for link in acting.forces for x in acting.force(link)),
                *(x for link in acting.torques for x in acting.torque(link)),
                *(x for inertias in acting.inertias.values() for y in inertias for x in y.entries),
-               *joint_inertias(only, recorder).values()]
+               *own.values(), *(x.inertia for x in own.sums)]
     return all(x.is_zero for x in numbers)
 
 

@@ -28,6 +28,7 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 from coscrew_codegen.dynamics.forces.rotors import Eliminated, eliminated
 from coscrew_codegen.scene.effect import Slopes, required
 
@@ -64,18 +65,18 @@ class Implicit:
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
-                  inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
+                  inertias: OwnInertias, tau: Sequence[Number]) -> list[Number]:
     """a with M a + bias = tau."""
     own = _own(motion, inertias)
     torques = acting.with_sums(add(tau, _gathered(
         motion, {n: acting.torque(n) for n in sorted(acting.torques)})))
     torques = _without_own_bias(motion, inertias, torques)
-    return _solver(motion, rigids)(lambda k, _: (torques[k], own[k]),
-                                   rnea.net_wrenches(motion, rigids, acting))
+    return _solver(motion, inertias, rigids)(lambda k, _: (torques[k], own[k]),
+                                             rnea.net_wrenches(motion, rigids, acting))
 
 
 def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
-             inertias: Mapping[str, Number], weights: Weights, tau: Sequence[Number],
+             inertias: OwnInertias, weights: Weights, tau: Sequence[Number],
              slopes: AppliedEffects | None = None) -> Implicit:
     """a with (M + m) a = tau - bias - c v.
 
@@ -101,7 +102,7 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
         return torque, more
 
     joint: Joint = at_joint
-    solve = _solver(motion, *_resisted(motion, start, rigids, weights))
+    solve = _solver(motion, inertias, *_resisted(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
             e = _along_velocities(motion, pair.unit_wrenches)
@@ -134,15 +135,15 @@ def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]
     return damping, stiffness
 
 
-def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
+def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: OwnInertias,
                     unit: Sequence[Number]) -> Number:
     """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
     return _product(unit, inverse(motion, rigids, inertias)(unit))
 
 
-def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]) -> Inverse:
+def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: OwnInertias) -> Inverse:
     """M⁻¹, without slopes of effects."""
-    own, solve = _own(motion, inertias), _solver(motion, rigids)
+    own, solve = _own(motion, inertias), _solver(motion, inertias, rigids)
     return lambda e: solve(lambda k, _: (e[k], own[k]), _still(motion))
 
 
@@ -151,14 +152,24 @@ def _still(motion: Motion) -> list[Wrench]:
     return [(*motion.zero, *motion.zero)] * len(motion.tree.links)
 
 
-def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
-    """The joints' own inertias, by velocity."""
-    return _gathered(motion, {n: [inertias[link.joint.name]] * max(1, len(link.v))
-                              for n, link in enumerate(motion.tree.links)
-                              if link.joint.name in inertias}, 2)
+def dense(motion: Motion, inertias: OwnInertias) -> bool:
+    """Returns whether the mass matrix is factored as a whole: joints follow others, or inertias
+    couple them; otherwise articulated bodies are eliminated."""
+    return motion.tree.follows or bool(inertias.coupling.sums)
 
 
-def _without_own_bias(motion: Motion, inertias: Mapping[str, Number], torques: Sequence[Number]
+def _own(motion: Motion, inertias: OwnInertias) -> list[Number]:
+    """The joints' own inertias, by velocity, with those of sums of one term."""
+    own = _gathered(motion, {n: [inertias[link.joint.name]] * max(1, len(link.v))
+                             for n, link in enumerate(motion.tree.links)
+                             if link.joint.name in inertias}, 2)
+    for x in inertias.alone:
+        (place, weight), = x.weights.items()
+        own[place] = own[place] + x.inertia * (weight * weight)
+    return own
+
+
+def _without_own_bias(motion: Motion, inertias: OwnInertias, torques: Sequence[Number]
                       ) -> list[Number]:
     """The torques less those that joints' own inertias take at a = 0."""
     results = list(torques)
@@ -270,16 +281,17 @@ def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | No
     return add(wrench, scaled((along - across) * call("dot_cs", e, twist)[0], e))
 
 
-def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> _Solve:
+def _solver(motion: Motion, inertias: OwnInertias, rigids: Sequence[Rigid],
+            rows: Sequence[_Row] = ()) -> _Solve:
     """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
     that depend on neither are issued once."""
-    if not motion.tree.follows:
+    if not dense(motion, inertias):
         bodies = [Articulated.of(body) for body in rigids]
         for row in rows:
             with motion.part(row.link, "B"):
                 bodies[row.link] = bodies[row.link].with_row(row.mass, row.e)
         return lambda joint, wrenches: aba.accelerations(motion, bodies, wrenches, joint)
-    M = crba.mass_matrix(motion, rigids, {})
+    M = crba.mass_matrix(motion, rigids, inertias.coupling)
     for row in rows:
         with motion.recorder.part("solution", heading="M a = tau"):
             e = _along_velocities(motion, [(row.link, row.e)])
@@ -287,7 +299,8 @@ def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) 
                  for A, a in zip(M, e, strict=True)]
 
     def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
-        bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
+        bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None,
+                                  OwnInertias())
         with motion.recorder.part("solution", heading="M a = tau"):
             torques, A = [], [list(row) for row in M]
             for k, row in enumerate(A):
@@ -332,7 +345,8 @@ def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) ->
     for link, wrench in wrenches:
         if link >= 0:
             total[link] = add(total[link], wrench)
-    return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None, {}))
+    return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None,
+                                   OwnInertias()))
 
 
 def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:

@@ -39,7 +39,8 @@ from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
+from coscrew_codegen.scene.scene import Applied
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -223,7 +224,7 @@ class _Closing:
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
         terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion, terms)
+        weights = weights_of(motion.tree, terms)
         return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
 
 

@@ -8,7 +8,9 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.scene.effect import Effect
-from coscrew_codegen.scene.scene import Applied, Setting, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
+from coscrew_codegen.scene.mechanism.tree import Tree
+from coscrew_codegen.scene.scene import Applied, Setting
 
 SUM = -1
 """Stands for the link of a weighted sum."""
@@ -28,7 +30,7 @@ class ActedCoordinate:
 def acted_coordinates(motion: Motion, applied: Applied) -> list[ActedCoordinate]:
     """The coordinates along which the effect acts."""
     if applied.terms:
-        return [ActedCoordinate(*_sum(motion, applied.terms), applied.values, SUM)]
+        return [ActedCoordinate(*sum_of(motion, applied.terms), applied.values, SUM)]
     link = link_of(motion, applied.on)
     q, v = motion.coordinates(link), motion.speeds(link)
     if len(v) == 1:
@@ -43,21 +45,21 @@ def link_of(motion: Motion, joint: str) -> int:
     return motion.tree.links.index(motion.tree.link_of(joint))
 
 
-def weights_of(motion: Motion, terms: Iterable[WeightedCoordinate]) -> dict[int, Fraction]:
+def weights_of(tree: Tree, terms: Iterable[WeightedCoordinate]) -> dict[int, Fraction]:
     """The weights of the velocities in the rate of a sum; a follower's is its leader's, times its
     multiplier."""
     weights: dict[int, Fraction] = {}
     for term in terms:
-        link = motion.tree.links[link_of(motion, term.joint)]
+        link = tree.link_of(term.joint)
         place, weight = link.v.start + term.coordinate, term.weight
         if link.driver:
-            place = motion.tree.links[link.driver.link].v.start
+            place = tree.links[link.driver.link].v.start
             weight = weight * link.driver.multiplier
         weights[place] = weights.get(place, Fraction(0)) + weight
     return {place: weight for place, weight in weights.items() if weight}
 
 
-def _sum(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
+def sum_of(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
     """Σ weight q and Σ weight v."""
     q = v = motion.zero[0]
     for term in terms:

@@ -41,6 +41,7 @@ from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
 from coscrew_codegen.dynamics.forces.moving_states import MovingStates
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias, SummedInertia
 from coscrew_codegen.dynamics.forces.potentials import body_force
 from coscrew_codegen.dynamics.forces.rotors import Rotor
 from coscrew_codegen.program.differentiate import Dual
@@ -56,6 +57,7 @@ from coscrew_codegen.scene.effect import (
     required,
 )
 from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
@@ -215,7 +217,7 @@ class AppliedEffects:
         if behind:
             self._rotor(x.link).motors.append(along)
         elif x.link == SUM:
-            self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
+            self.sums.append(Summed(weights_of(self.motion.tree, applied.terms), along))
         else:
             self.torques.setdefault(x.link, []).append(along)
         rotor = self._rotor(x.link) if effect.elastic else None
@@ -443,14 +445,17 @@ def _owner(applied: Applied) -> str:
     return f"{(applied.label or applied.on).removesuffix('_joint')}_{applied.effect.name}"
 
 
-def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
-    """The inertias that effects add to joints, by joint."""
-    total: dict[str, Number] = {}
+def joint_inertias(scene: Scene, recorder: Recorder, tree: Tree) -> OwnInertias:
+    """The inertias that effects add to joints, and to sums of coordinates."""
+    total = OwnInertias()
     for applied in scene.effects:
         if applied.effect.joint_inertia:
             values = settings(recorder, applied.values, recorder.number(0))
             own = applied.effect.joint_inertia(values)
             owner, = identifiers([_owner(applied)])
             own, = recorder.label("I", own, owner)
-            total[applied.on] = total[applied.on] + own if applied.on in total else own
+            if applied.terms:
+                total.sums.append(SummedInertia(weights_of(tree, applied.terms), own))
+            else:
+                total[applied.on] = total[applied.on] + own if applied.on in total else own
     return total

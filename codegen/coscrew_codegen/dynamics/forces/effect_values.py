@@ -5,11 +5,12 @@ from collections.abc import Callable, Mapping, Sequence
 from coscrew_codegen.algebra.recording.numbers import Number, add, cross, dot
 from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.acted_coordinates import link_of
+from coscrew_codegen.dynamics.forces.acted_coordinates import link_of, weights_of
 from coscrew_codegen.dynamics.forces.added_inertia import inertia_in_link
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
+from coscrew_codegen.dynamics.forces.own_inertias import SummedInertia
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.effect_quantities import ENERGY, FORCE, POWER, SATURATED, TORQUE
@@ -44,9 +45,12 @@ def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
 
 
 def _kinetic(x: FunctionRecording, motion: Motion, applied: Applied) -> Number:
-    """I v²/2 of a joint's own inertia."""
+    """I v²/2 of the own inertia of a joint or of a sum."""
     values = settings(x.recorder, applied.values, x.recorder.number(0))
     inertia = required(applied.effect.joint_inertia)(values)
+    if applied.terms:
+        rate = SummedInertia(weights_of(x.tree, applied.terms), inertia).along(motion.v)
+        return inertia * (rate * rate) / 2
     return _sum([inertia * (v * v) / 2 for v in motion.speeds(link_of(motion, applied.on))])
 
 

@@ -84,7 +84,7 @@ def _key(key: Key) -> Schema:
                                                   _array(3, _array(3, _NUMBER))]}
     kinds: dict[str, Schema] = {
         "text": {"type": "string"}, "words": _by_name({"type": "string"}), "texts": _TEXTS,
-        "number": _NUMBER,
+        "number": _NUMBER, "numbers": {"type": "array", "items": _NUMBER},
         "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
         "quaternion": _array(4, _NUMBER), "moments": moments,
         "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]})}
@@ -99,7 +99,7 @@ def _effects() -> Schema:
 def _one(effect: Effect) -> Schema:
     """The table of one joint, body or pair on which the effect acts."""
     more: Schema = {"body": {"type": "string"}} if effect.place is Place.BODY else {}
-    if effect.joint_torque:
+    if effect.on_sums:
         more = {"joints": _by_name(_NUMBER)}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]

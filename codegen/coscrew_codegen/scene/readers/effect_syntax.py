@@ -33,7 +33,7 @@ def described(effect: Effect) -> Iterator[str]:
 
 def where(effect: Effect) -> str:
     """The headings of its tables in scene files."""
-    pattern = _ON_SUMS if effect.joint_torque else _ON_PARTS if effect.parts else \
+    pattern = _ON_SUMS if effect.on_sums else _ON_PARTS if effect.parts else \
         _WHERE[effect.place]
     return pattern.format(effect.name)
 

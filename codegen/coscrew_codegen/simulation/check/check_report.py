@@ -11,6 +11,8 @@ from coscrew_codegen.simulation.loops.closure_check import WORK, Closures
 from coscrew_codegen.simulation.result_units import in_unit
 from coscrew_codegen.simulation.run_summary import gaps
 
+_WIDE = 1000  # ratio of bounds to errors from which their number says nothing
+
 
 def table(findings: Findings, strict: bool = False) -> str:
     """The findings as text; with `strict` also the faults that fail only the strict limits."""
@@ -109,7 +111,10 @@ def _bounds(certified: Certified | None) -> str:
     if not certified.stated:
         return f"0 of {certified.of} stated"
     stated = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
-    return f"{stated or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
+    if certified.ratio is None:
+        return f"{stated or 'all '}hold, results are exact"
+    ratio = f"over {_WIDE}" if certified.ratio > _WIDE else f"{certified.ratio:#.3g}"
+    return f"{stated or 'all '}hold, {ratio} times the error (median)"
 
 
 def _broken(rounded: RoundedResults) -> str:

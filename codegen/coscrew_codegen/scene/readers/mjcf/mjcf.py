@@ -29,6 +29,7 @@ from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
+from coscrew_codegen.scene.readers.mjcf.mjcf_laws import laws
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import MjcfLoops, loops
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
@@ -52,15 +53,16 @@ def _parts(source: ModelSource) -> Parts:
     closed = MjcfLoops() if "loops" in source.leave_out else loops(model, names)
     parts = [*(x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)),
              *closed.frames]
+    joints = tuple(x for x in parts if isinstance(x, Joint))
+    led = () if "loops" in source.leave_out else laws(model, names, joints)
     return Parts(
-        source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
-        tuple(x for x in parts if isinstance(x, Joint)),
+        source.path.stem, tuple(x for x in parts if isinstance(x, Body)), joints,
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
         offered=tendons(model, names).offered,
         start=_start(model, names),
         notices=(*left_out, *ignored(model, names), *(
             Notice("other tools' numbers", "model", f"MuJoCo warns: {x}") for x in warnings)),
-        loops=tuple(closed.loops), collisions=tuple(collisions(model, names, seen)))
+        loops=(*closed.loops, *led), collisions=tuple(collisions(model, names, seen)))
 
 
 def _warned(source: ModelSource) -> "tuple[mujoco.MjModel, list[str]]":

@@ -68,7 +68,7 @@ class EffectTable:
     @property
     def sums(self) -> bool:
         """True if the effect can act on a weighted sum of coordinates."""
-        return self.effect.joint_torque is not None and not self.effect.elastic
+        return self.effect.on_sums
 
     @property
     def parameters(self) -> tuple[str, ...]:

@@ -1,6 +1,6 @@
 """Scene files: reads a TOML file, or a model's file alone, as a Scene."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -18,10 +18,11 @@ from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
-from coscrew_codegen.scene.readers.falling import ACCEPT, falling
-from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
+from coscrew_codegen.scene.readers.omissions.falling import ACCEPT, falling
+from coscrew_codegen.scene.readers.omissions.idle import idle
+from coscrew_codegen.scene.readers.omissions.unused import besides, unused
 from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.toml.effect_table import Use
@@ -39,7 +40,6 @@ from coscrew_codegen.scene.readers.toml.tables.ranges_table import limits_in_ran
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
-from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
 from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
@@ -101,9 +101,16 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
     acting = read_effects(tables, model, effects, Use())
     wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
     comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
-                *(x.text for x in besides(model, acting)))
+                *(x.text for x in besides(model, acting)), *_unwritten(path, model))
     return scene_text(file.text("name"), model, file.texts("runtime", ()), tables.values,
                       file.table("start").table("q").values, comments)
+
+
+def _unwritten(path: Path, model: Model) -> Iterator[str]:
+    """The comment on collision shapes, which have no tables."""
+    if count := len(model.collisions):
+        shapes = f"{count} collision shape{'s are' if count > 1 else ' is'}"
+        yield f'{shapes} not written: a scene with model = "{path.name}" has them'
 
 
 def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides
