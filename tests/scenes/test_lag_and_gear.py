@@ -3,6 +3,8 @@ same laws, and their limits: no lag, and a rigid gear."""
 
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -15,6 +17,8 @@ from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED, NAMES
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.sweep.chunk import states
+from coscrew_codegen.simulation.sweep.specification import Specification
 
 BLOCK = """
 [bodies]
@@ -249,8 +253,18 @@ def test_a_rotor_starts_with_its_joint(made: Made) -> None:
     start = "[start.q]\nhinge = 0.4\n[start.v]\nhinge = -2\n"
     result = run(made(PENDULUM + gear(1e4) + start), until=0.01)
     assert result.q[0].tolist() == [0.4, 0.4, -2]
+    both_starts = run(made(PENDULUM + gear(1e4) + start), until=0.01, v0=[[3.0], [4.0]])
+    assert both_starts.q[:, 0].tolist() == [[0.4, 0.4, 3], [0.4, 0.4, 4]]
     own = '[start.x]\n"gear.hinge" = [0.3, 1]\n'
     assert run(made(PENDULUM + gear(1e4) + start + own), until=0.01).q[0].tolist() == [0.4, 0.3, 1]
+
+
+def test_members_of_sweeps_start_rotors_with_their_joints(made: Made) -> None:
+    varied = SimpleNamespace(columns=[SimpleNamespace(array="q", index=0)])
+    conditions = SimpleNamespace(precision="double", settings=())
+    its = cast(Specification, SimpleNamespace(varied=varied, conditions=conditions))
+    starts = states(load_scene(made(PENDULUM + gear(1e4))), its, np.array([[0.1], [0.2]]))
+    assert starts["q"].tolist() == [[0.1, 0.1, 0], [0.2, 0.2, 0]]
 
 
 @pytest.mark.parametrize("text, words", [

@@ -171,18 +171,24 @@ class System:
             v[c.v] = self.scene.start_v.get(c.joint, v[c.v])
         first = len(q) - len(self.functions.states)
         for place, (column, _) in enumerate(self.functions.states, first):
-            q[place] = self.scene.start_x.get(column, self._start_of_state(place - first, q, v))
+            q[place] = self.scene.start_x.get(column, q[place])
+        q = self.with_rotors(q, v)
         with np.errstate(over="ignore"):  # in single precision; `integrate` refuses infinities
             return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
 
-    def _start_of_state(self, place: int, q: np.ndarray, v: np.ndarray) -> float:
-        """The number from which a state of an effect starts: a rotor's are those of its joint."""
-        own = next(x for x in states_of(self.scene) if place in x.places)
-        starts = own.applied.states[place - own.places.start].starts
-        at = next((c for c in self.functions.coordinates if c.joint == own.applied.on), None)
-        if not starts or at is None:
-            return 0.0
-        return float(q[at.q.start] if starts == "q" else v[at.v.start])
+    def with_rotors(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """q, whose states of effects that start with their joint, as a rotor's angle and speed, are
+        those of q and v, unless the scene starts them.  (…, nq), (…, nv)->(…, nq)."""
+        q, first = np.array(q), q.shape[-1] - len(self.functions.states)
+        joints = {c.joint: c for c in self.functions.coordinates}
+        for own in states_of(self.scene):
+            for place, state, column in zip(own.places, own.applied.states, own.columns,
+                                            strict=True):
+                if state.starts and column not in self.scene.start_x:
+                    at = joints[own.applied.on]
+                    q[..., first + place] = q[..., at.q.start] if state.starts == "q" \
+                        else v[..., at.v.start]
+        return q
 
     def normalized(self, q: np.ndarray) -> np.ndarray:
         """q with quaternions of norm 1.  (…, nq)->(…, nq)."""
