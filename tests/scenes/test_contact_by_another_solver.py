@@ -34,7 +34,7 @@ UP, TO_SURFACE = np.array([0, 0, 1.0]), np.array([0, 0, -R])
 
 
 class Ball:
-    """The law at (x, v, w, z), all in the world's axes; where bristles slip, z gives their direction
+    """The law at (x, v, w, z), all in the world's axes; where bristles slip, z is their direction
     alone."""
 
     def __init__(self, y: np.ndarray, slips: bool):
