@@ -22,7 +22,6 @@ from coscrew_codegen.dynamics.algorithms import (
     centroidal,
     coordinates,
     crba,
-    effect_states,
     energies,
     floating,
     forward,
@@ -33,6 +32,7 @@ from coscrew_codegen.dynamics.algorithms import (
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.contacts.contact_values import contact_values
+from coscrew_codegen.dynamics.forces import effect_states
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
@@ -318,8 +318,8 @@ class RecordedDynamics:
 
     def implicit_accelerations(self) -> Numbers:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
-        x, acting = self._recording, self._acting
-        h, = self.argument("h")
+        x, (h,) = self._recording, self.argument("h")
+        acting = AppliedEffects(self.scene, self._motion, over=h).act()
         free = forward.implicit(self._motion, acting, x.rigids, x.inertias, kicks.end_weights(h),
                                 x.tau)
         demand = demands.stop(x, self._motion, h)
