@@ -96,6 +96,7 @@ export class Robot {
       material.userData.own ??= [material.transparent, material.opacity, material.depthWrite];
       [material.transparent, material.opacity, material.depthWrite] = on
         ? [true, FADED * material.userData.own[1], false] : material.userData.own;
+      material.needsUpdate = true;  // shaders of opaque materials are others
     }
   }
 }

@@ -40,7 +40,7 @@ export class Tree {
     const button = document.createElement("button"), words = document.createElement("small");
     button.type = "button";
     words.textContent = joined(mass(this.recording.bodies[child]), `${kind} ${name}`);
-    button.append(this.recording.bodies[child].name, words);
+    button.append(this.recording.bodies[child].name, " ", words);
     button.addEventListener("click", () => this.choose(this.chosen === child ? null : child));
     this.rows[child] = button;
     return button;

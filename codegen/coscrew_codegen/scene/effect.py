@@ -381,6 +381,7 @@ class Effect:
     completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
     # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them
+    by_angle: bool = False  # on a joint that turns about a point, it acts on the angle from rest
     rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
     # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded

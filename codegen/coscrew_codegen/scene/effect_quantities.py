@@ -48,6 +48,8 @@ def _along(applied: Applied, kinds: Mapping[str, JointKind]) -> tuple[str, ...]:
     if applied.terms:
         lengths = any(kinds[x.joint].units("q")[x.coordinate] == "m" for x in applied.terms)
         return ("N",) if lengths else ("N m",)
+    if applied.effect.by_angle and kinds[applied.on].by_angle:
+        return ("N m",)
     return tuple("N m" if unit == "rad/s" else "N" for unit in kinds[applied.on].units("v"))
 
 

@@ -106,7 +106,7 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     for number, x in enumerate(start.sums):
         if len(x.weights) > 1:
             with motion.recorder.part(f"sum_{number}", heading="sums of coordinates"):
-                e = [motion.recorder.number(x.weights.get(k, 0)) for k in range(motion.tree.nv)]
+                e = row(motion, x.weights)
                 solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
                                           solve, joint)
     if start.touches:
@@ -117,6 +117,12 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
     return Implicit(a, rates, moved, lambda e: solve(
         lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
+
+
+def row(motion: Motion, weights: Mapping[int, Number | Fraction]) -> list[Number]:
+    """The weights of all velocities."""
+    given = (weights.get(k, Fraction(0)) for k in range(motion.tree.nv))
+    return [motion.recorder.number(x) if isinstance(x, Fraction) else x for x in given]
 
 
 def _soft_rows(motion: Motion, start: AppliedEffects, acting: AppliedEffects) -> list[SoftRow]:

@@ -16,7 +16,7 @@ States of effects, the end of q, move at q_m: x_m = x0 + h/2 x'(v0) before the k
 are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -171,6 +171,7 @@ class _Closing:
     v: Number
     before: Contact
     after: Contact
+    weights: Mapping[int, Number | Fraction]  # of a sum, by velocity
 
     @property
     def depths(self) -> Number:
@@ -183,14 +184,14 @@ class _Closing:
 
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
-        terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion.tree, terms)
-        return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
+        return forward.row(motion, self.weights or weights_of(motion.tree, (
+            WeightedCoordinate(self.applied.on, 0, Fraction(1)),)))
 
 
 def _part(x: FunctionRecording, applied: Applied, link: int) -> AbstractContextManager[None]:
     if link == SUM:
-        return x.recorder.part(identifiers([applied.label])[0], "own", "sums of coordinates")
+        owner, = identifiers([applied.label or applied.on])
+        return x.recorder.part(owner, "own", "sums of coordinates")
     return x.recorder.part(x.names[link], "own", x.tree.links[link].heading)
 
 
@@ -207,7 +208,8 @@ def _contacts(x: FunctionRecording) -> Iterator[_Closing]:
                 if before:
                     h, = x.recorder.argument("h")
                     after = law(CoordinateState(at.q + h * at.v, at.v, zero, x=own), values)
-                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact))
+                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact),
+                                   at.weights)
 
 
 def _power(x: Number, n: int) -> Number:

@@ -28,7 +28,6 @@ from coscrew_codegen.dynamics.forces.acted_coordinates import (
     SUM,
     ActedCoordinate,
     acted_coordinates,
-    weights_of,
 )
 from coscrew_codegen.dynamics.forces.added_inertia import (
     Stream,
@@ -122,7 +121,7 @@ class AppliedEffects:
                              self._holding(x.link, applied), self.motion.states(applied.name))
         along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
         if x.link == SUM:
-            self.sums.append(Summed(weights_of(self.motion.tree, applied.terms), along))
+            self.sums.append(Summed(x.weights, along))
         else:
             self.torques.setdefault(x.link, []).append(along)
         if applied.effect.states:

@@ -132,10 +132,10 @@ class Touch:
 
 @dataclass(frozen=True)
 class Summed:
-    """An effect on a weighted sum of coordinates; its torque acts on each velocity by the weight.
-    """
+    """An effect on a weighted sum of coordinates, or on an angle; its torque acts on each velocity
+    by the weight."""
 
-    weights: Mapping[int, Fraction]  # by velocity
+    weights: Mapping[int, Number | Fraction]  # by velocity
     along: JointEffect
 
 

@@ -13,8 +13,7 @@ from coscrew_codegen.scene.mechanism.loop import ClosedLoop, WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.laws import law
-from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
-from coscrew_codegen.scene.readers.mjcf.mjcf_loops import name_of
+from coscrew_codegen.scene.readers.mjcf.mjcf_effects import following
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import weights
 
@@ -34,21 +33,19 @@ def laws(model: "mujoco.MjModel", names: MjcfNames, joints: Sequence[Joint]
         c0, *others = _shifted(about_x0, x0)
         while others and not others[-1]:
             others.pop()
-        yield law(name_of(model, e), joints, y, x, (c0 + y0, *others))
+        yield law(names.equality(e), joints, y, x, (c0 + y0, *others))
 
 
 def lawful(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[int]:
     """The active equalities of joints, or of fixed tendons, except those by which joints follow."""
     import mujoco
 
-    kinds, led = mujoco.mjtEq, set[int]()
+    kinds, led = mujoco.mjtEq, {*following(model).values()}
     for e in range(model.neq):
         kind, y = int(model.eq_type[e]), int(model.eq_obj1id[e])
-        if follows(model, e) and y not in led:
-            led.add(y)
-        elif model.eq_active0[e] and kind in (int(kinds.mjEQ_JOINT), int(kinds.mjEQ_TENDON)) and (
-                _sum(model, names, e, y)
-                and (model.eq_obj2id[e] < 0 or _sum(model, names, e, model.eq_obj2id[e]))):
+        if e not in led and model.eq_active0[e] and kind in (
+                int(kinds.mjEQ_JOINT), int(kinds.mjEQ_TENDON)) and _sum(model, names, e, y) and (
+                model.eq_obj2id[e] < 0 or _sum(model, names, e, model.eq_obj2id[e])):
             yield e
 
 

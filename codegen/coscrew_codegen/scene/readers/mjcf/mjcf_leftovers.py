@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators, unkept_rotors
-from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
+from coscrew_codegen.scene.readers.mjcf.mjcf_effects import following
 from coscrew_codegen.scene.readers.mjcf.mjcf_laws import lawful
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closings, idle
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, one_coordinate
@@ -23,7 +23,6 @@ GROUPS: Mapping[str, str] = {
     "tendons": "pulls, and is no sum of joints' coordinates, nor a line between two sites, with "
                "one length at rest",
     "actuators": "exerts forces of its own as no effect does",
-    "ball_joints": "is of a free or ball joint, which no effect limits",
     "polynomials": "is no line in velocity or position, or yields",
     "fluid": "makes forces of a fluid",
     "flexes": "is not rigid",
@@ -63,11 +62,9 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, st
 def _equalities(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
     import mujoco
 
-    loops, led = {*closings(model), *lawful(model, names)}, set[int]()
+    loops, led = {*closings(model), *lawful(model, names)}, {*following(model).values()}
     for e in range(model.neq):
-        if follows(model, e) and (y := int(model.eq_obj1id[e])) not in led:
-            led.add(y)
-        elif e in loops or model.eq_active0[e] and not idle(model, e):
+        if e in loops or e not in led and model.eq_active0[e] and not idle(model, e):
             group = "loops" if e in loops else "equalities"
             kind = mujoco.mjtEq(int(model.eq_type[e])).name.removeprefix("mjEQ_").lower()
             yield group, f"equality {kind} {model.equality(e).name or e!r}"
@@ -82,8 +79,6 @@ def _of_joints(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str,
         if model.dof_dampingpoly[dofs].any() or model.jnt_stiffnesspoly[j].any() or (
                 model.jnt_plasticadr[j] >= 0):
             yield "polynomials", f"damping or stiffness of joint {name!r}"
-        if j not in simple and model.jnt_limited[j]:
-            yield "ball_joints", f"range of joint {name!r}"
 
 
 def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:

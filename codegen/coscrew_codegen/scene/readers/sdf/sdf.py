@@ -106,10 +106,10 @@ class _Sdf(SdfLoops):
                 self.refuse(link, f"lacks <{tag}>, for which SDF takes {_DEFAULTS[tag]}; wanted "
                                   f'it, or implausible = "{WARN}"')
             self.lacking.append(f"body {full!r}: lacks <{tag}>; SDF takes {_DEFAULTS[tag]}")
-        return Body(full, self._inertia(inertial) if inertial else
+        return Body(full, self._inertia(inertial, full) if inertial else
                     Inertia(_ONE[0], _NONE, _ONE + _NONE), visuals(self, link, self.source))
 
-    def _inertia(self, inertial: Element) -> Inertia:
+    def _inertia(self, inertial: Element, full: str) -> Inertia | None:
         if self.as_flag(inertial, "auto", inertial.attributes.get("auto", "false")):
             self.refuse(inertial, "its inertia follows from shapes (auto); wanted numbers")
         pose, matrix = self.only(inertial, "pose"), self.only(inertial, "inertia")
@@ -117,9 +117,13 @@ class _Sdf(SdfLoops):
             self.refuse(pose, "the pose of <inertial> is relative to its link; wanted no "
                               "relative_to")
         mass = self.number(inertial, "mass", "1")
-        if mass <= 0:
-            self.refuse(inertial, f"mass {float(mass):g} kg, for which SDF's library takes 1 kg; "
-                                  "wanted a positive mass")
+        if mass < 0 or not mass and not self.lenient:
+            remedy = f', or implausible = "{WARN}": none' if not mass else ""
+            self.refuse(inertial, f"mass {float(mass):g} kg, for which other programs take 1 kg, "
+                                  f"or none; wanted a positive mass{remedy}")
+        if not mass:
+            self.lacking.append(f"body {full!r}: mass 0 kg; taken as a frame without inertia")
+            return None
         at = self.pose(inertial)
         moments = _ONE + _NONE if matrix is None else tuple(
             self.number(matrix, tag, "0" if tag in _MOMENTS[3:] else None) for tag in _MOMENTS)

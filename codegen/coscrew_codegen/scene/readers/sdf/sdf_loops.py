@@ -52,6 +52,8 @@ class SdfLoops(SdfJoints):
         held, root = dict[str, str](), dict[str, str]()  # joint by child; a link of its group
         for full, joint, scope in sorted(joints, key=lambda x: self._order(x[1])):
             parent, child = self.ends(joint, scope)
+            if parent == child:
+                self.refuse(joint, f"parent and child are the same body, {child!r}")
             groups = _root(root, parent), _root(root, child)
             if child not in held and groups[0] != groups[1]:
                 held[child], root[groups[1]] = full, groups[0]

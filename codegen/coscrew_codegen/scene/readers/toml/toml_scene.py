@@ -1,6 +1,6 @@
 """Scene files: reads a TOML file, or a model's file alone, as a Scene."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -101,9 +101,16 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
     acting = read_effects(tables, model, effects, Use())
     wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
     comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
-                *(x.text for x in besides(model, acting)))
+                *(x.text for x in besides(model, acting)), *_unwritten(path, model))
     return scene_text(file.text("name"), model, file.texts("runtime", ()), tables.values,
                       file.table("start").table("q").values, comments)
+
+
+def _unwritten(path: Path, model: Model) -> Iterator[str]:
+    """The comment on collision shapes, which have no tables."""
+    if count := len(model.collisions):
+        shapes = f"{count} collision shape{'s are' if count > 1 else ' is'}"
+        yield f'{shapes} not written: a scene with model = "{path.name}" has them'
 
 
 def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides

@@ -64,9 +64,6 @@ def _law(name: str, table: TomlTable, model: Model) -> ClosedLoop:
         table.missing("joints", "weights by joint, as { elbow = 1 }")
     joints = read_terms(table.table("joints"), model)
     leaders = read_terms(table.table("leaders"), model) if "leaders" in table else ()
-    led = {(x.joint, x.coordinate) for x in joints}
-    if both := [x.joint for x in leaders if (x.joint, x.coordinate) in led]:
-        table.refuse("leaders", f"{both[0]!r} is among the joints, too; wanted it in one of both")
     return law(name, model.joints, joints, leaders, _polynomial(table, bool(leaders)))
 
 
