@@ -22,6 +22,7 @@ from coscrew_codegen.dynamics.algorithms import (
     centroidal,
     coordinates,
     crba,
+    effect_states,
     energies,
     floating,
     forward,
@@ -31,11 +32,12 @@ from coscrew_codegen.dynamics.algorithms import (
     rnea_derivatives,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.contacts.contact_values import contact_values
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops import demands
-from coscrew_codegen.dynamics.loops.closures import closures
+from coscrew_codegen.dynamics.loops.couplings import closures
 from coscrew_codegen.dynamics.loops.multipliers import Constrained, ConstraintRows
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.step_jacobians import OtherFunctions
@@ -338,6 +340,18 @@ class RecordedDynamics:
         (h,), v = self.argument("h"), self.argument("v")
         return coordinates.carried(self.recorder, self._tree, self._recording.names, h, v)
 
+    def state_rates(self) -> Results:
+        """x' of effects' states, and q with them within their bounds."""
+        return effect_states.rates(self._recording)
+
+    def moved_states(self) -> Numbers:
+        """q with effects' states moved by h at v."""
+        return effect_states.moved(self._recording)
+
+    def switches(self) -> Numbers:
+        """Numbers that change their signs where another part of an effect's law begins."""
+        return effect_states.switches(self._recording)
+
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
@@ -347,6 +361,11 @@ class RecordedDynamics:
         """q and v corrected to the momenta c."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return floating.corrected(self._recording, self._roots())
+
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [*contact_values(self._motion, self._acting)]
 
     def closing(self) -> Number:
         """The number of contacts that are closed or close."""

@@ -13,20 +13,12 @@ from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.ranges import Ranges
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
-
-
-@dataclass(frozen=True)
-class WeightedCoordinate:
-    """A coordinate of a joint, times a weight: a term of a sum."""
-
-    joint: str
-    coordinate: int  # its number among those of the joint
-    weight: Fraction
 
 
 @dataclass(frozen=True)

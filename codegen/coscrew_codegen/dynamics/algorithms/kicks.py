@@ -16,7 +16,7 @@ States of effects, the end of q, move at q_m: x_m = x0 + h/2 x'(v0) before the k
 are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -24,7 +24,8 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
+from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
@@ -35,7 +36,8 @@ from coscrew_codegen.scene.effect import Contact, CoordinateState, required
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
+from coscrew_codegen.scene.scene import Applied
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -44,7 +46,7 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 `check`. At the end of the bounce it is far less."""
 
 
-def weights(h: Number) -> forward.Weights:
+def weights(h: Number) -> Weights:
     """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
 
     Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
@@ -55,7 +57,7 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
-def end_weights(h: Number) -> forward.Weights:
+def end_weights(h: Number) -> Weights:
     """(inertia, torque per velocity) for forces at the end of a step h."""
     return lambda d, k, *_: ((d + k * h) * h, k * h)
 
@@ -91,7 +93,8 @@ def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> 
     nq, (h,) = x.tree.nq, x.recorder.argument("h")
     if len(q) == nq:
         return list(q)
-    rates = AppliedEffects(x.scene, x.motion(at=(q, v))).act().rates
+    states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
+    rates = [rate for own in states for rate in own.law.rates]
     with x.recorder.part("x", heading="states of effects"):
         return [*q[:nq], *add(tuple(q[nq:]), scaled(h / 2, rates))]
 
@@ -101,8 +104,8 @@ def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> lis
     if len(q) == x.tree.nq:
         return list(q)
     moved = _drifted(x, q, v)
-    kept = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().kept
-    return [*q[:x.tree.nq], *kept]
+    states = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().states
+    return [*q[:x.tree.nq], *(y for own in states for y in own.kept)]
 
 
 def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
@@ -168,6 +171,7 @@ class _Closing:
     v: Number
     before: Contact
     after: Contact
+    weights: Mapping[int, Number | Fraction]  # of a sum, by velocity
 
     @property
     def depths(self) -> Number:
@@ -180,14 +184,14 @@ class _Closing:
 
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
-        terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion, terms)
-        return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
+        return forward.row(motion, self.weights or weights_of(motion.tree, (
+            WeightedCoordinate(self.applied.on, 0, Fraction(1)),)))
 
 
 def _part(x: FunctionRecording, applied: Applied, link: int) -> AbstractContextManager[None]:
     if link == SUM:
-        return x.recorder.part(identifiers([applied.label])[0], "own", "sums of coordinates")
+        owner, = identifiers([applied.label or applied.on])
+        return x.recorder.part(owner, "own", "sums of coordinates")
     return x.recorder.part(x.names[link], "own", x.tree.links[link].heading)
 
 
@@ -204,7 +208,8 @@ def _contacts(x: FunctionRecording) -> Iterator[_Closing]:
                 if before:
                     h, = x.recorder.argument("h")
                     after = law(CoordinateState(at.q + h * at.v, at.v, zero, x=own), values)
-                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact))
+                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact),
+                                   at.weights)
 
 
 def _power(x: Number, n: int) -> Number:

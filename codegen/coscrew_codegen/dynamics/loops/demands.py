@@ -52,7 +52,7 @@ def wrench(rows: ConstraintRows, multipliers: Sequence[Number], loop: str) -> li
     total = (*closure.motion.zero, *closure.motion.zero)
     for (n, k), x in zip(rows.places, multipliers, strict=True):
         if rows.closures[n] is closure:
-            total = add(total, scaled(x, closure.coscrews[k]))
+            total = add(total, scaled(x, closure.exerted[k]))
     with closure.part("f"):
         return list(closure.at_point(total))
 
