@@ -140,7 +140,10 @@ class Demand:
 
     def met(self, a: Sequence[Number], unit: Unit) -> Constrained:
         """The accelerations that meet it, from those without the loops."""
-        compliance = Compliance(self.rows, unit)
+        return self.solved(a, Compliance(self.rows, unit))
+
+    def solved(self, a: Sequence[Number], compliance: Compliance) -> Constrained:
+        """The accelerations that meet it, by the factors of W."""
         with _part(self.rows, "b"):
             missing = [-(x + g) for x, g in zip(self.rows.along(a), self.g, strict=True)]
         multipliers = compliance.solve(missing)
