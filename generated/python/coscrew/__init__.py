@@ -715,11 +715,11 @@ def unchecked(function):
     if hasattr(function, "unchecked"):
         return function.unchecked
     its = getattr(function, "__name__", "")
-    for name, module in tuple(sys.modules.items()):
-        if its and name.startswith("coscrew.") and name.endswith("._gufunc"):
-            unchecked = getattr(module, f"unchecked_{its}", function)
-            if function in (getattr(module, its, None), unchecked) and hasattr(module, its):
-                return unchecked
+    for package in ["coscrew", "coscrew.accurate", "coscrew.certified"]:
+        module = sys.modules.get(f"{package}._gufunc")
+        unchecked = getattr(module, f"unchecked_{its}", function)
+        if function in (getattr(module, its, None), unchecked) and hasattr(module, its):
+            return unchecked
     raise ValueError(f"unchecked: got {function!r}; wanted a function of coscrew")
 
 
