@@ -2,6 +2,7 @@
 
 Truth is in closed form, in the rows of MuJoCo's equalities, and in followers."""
 
+import mpmath
 import mujoco
 import numpy as np
 import pytest
@@ -49,7 +50,7 @@ def test_a_cam_moves_by_its_closed_form(cam):
     rng = np.random.default_rng(1)
     for q, v, torque, force in rng.normal(size=(5, 4)):
         slope, bend = 0.4 - 0.6 * q + 0.6 * q**2, -0.6 + 1.2 * q
-        a = (torque + slope * (force - M * bend * v**2)) / (J + M * slope**2)
+        a = cam_rate(q, v, torque, force)
         along = slope * a + bend * v**2
         at = np.array([q, 0.1 + 0.4 * q - 0.3 * q**2 + 0.2 * q**3]), np.array([v, slope * v])
         mine = ours.forward_dynamics(*at, np.array([torque, force]))
@@ -58,6 +59,33 @@ def test_a_cam_moves_by_its_closed_form(cam):
         assert np.abs(f - [0, M * along - force, 0, 0, 0, 0]).max() < 1e-9 * (1 + abs(f[1]))
         phi, E = ours.closure(at[0])
         assert abs(phi[0]) < 1e-15 and np.abs(E - [-slope, 1]).max() < 1e-15
+
+
+def cam_rate(q, v, torque, force):
+    slope, bend = 0.4 - 0.6 * q + 0.6 * q**2, -0.6 + 1.2 * q
+    return (torque + slope * (force - M * bend * v**2)) / (J + M * slope**2)
+
+
+def test_joints_transmit_what_a_law_exerts(cam):
+    """The valve has m x'' and the cam J a from their joints, and accelerations change with torques
+    as the closed form does."""
+    ours = load_scene(cam, functions=["forward_dynamics", "reaction_lift", "reaction_shaft",
+                                      "forward_dynamics_derivatives"]).double
+    rng = np.random.default_rng(2)
+    for q, v, torque, force in rng.normal(size=(5, 4)):
+        slope = 0.4 - 0.6 * q + 0.6 * q**2
+        at = np.array([q, 0.1 + 0.4 * q - 0.3 * q**2 + 0.2 * q**3]), np.array([v, slope * v])
+        tau = np.array([torque, force])
+        a, along = ours.forward_dynamics(*at, tau)
+        assert abs(ours.reaction_lift(*at, tau)[1] - M * along) < 1e-12 * (1 + abs(along))
+        assert abs(ours.reaction_shaft(*at, tau)[5] - J * a) < 1e-12 * (1 + abs(a))
+        by_q, by_v, by_tau = ours.forward_dynamics_derivatives(*at, tau)
+        row, bend = np.array([1, slope]), -0.6 + 1.2 * q
+        turned = by_q[0] @ row + by_v[0, 1] * bend * v
+        wanted = float(mpmath.diff(lambda x, v=v, t=tau: cam_rate(x, v, *t), mpmath.mpf(q)))
+        assert abs(turned - wanted) < 1e-11 * (1 + abs(wanted))
+        wanted = np.outer(row, row) / (J + M * slope**2)
+        assert np.abs(by_tau - wanted).max() < 1e-12 * wanted.max()
 
 
 def test_a_run_keeps_the_law(cam):

@@ -154,7 +154,7 @@ class Closure:
 
     @cached_property
     def rates(self) -> list[Number]:
-        """E' v at the motion's velocities: the rate of E v at a = 0."""
+        """The rate of E v at the motion's velocities and accelerations: E' v where a = 0."""
         V, U = self._twists
         with self.part("g"):
             call = self.motion.recorder.call

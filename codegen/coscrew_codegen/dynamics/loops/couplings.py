@@ -1,6 +1,6 @@
 """Laws of joints as rows: a sum of coordinates is a polynomial of another.
 
-    φ = s - P(r),   E v = s' - P'(r) r',   E' v = -P''(r) r'²
+    φ = s - P(r),   E v = s' - P'(r) r',   (E v)' = E a - P''(r) r'²
 
 with the weighted sums s of the joints and r of their leaders.  They hold no bodies: their forces
 act as torques of the joints do, between the bodies that each connects."""
@@ -60,10 +60,13 @@ class Coupling(Closure):
 
     @cached_property
     def rates(self) -> list[Number]:
-        """-P''(r) r'²."""
+        """E a - P''(r) r'²."""
         _, rate = sum_of(self.motion, required(self.loop.law).leaders)
         with self.part("g"):
-            return [-(self._polynomial[2] * (rate * rate))]
+            total = -(self._polynomial[2] * (rate * rate))
+            for x, a in zip(self.rows[0], self.motion.a, strict=True):
+                total = total + x * a
+            return [total]
 
     @cached_property
     def coscrews(self) -> list[Wrench]:
