@@ -25,8 +25,8 @@ SCENE = Path(__file__).parents[2] / "examples/scenes/landing.toml"
 NAME, STEP = "step_leapfrog", 1e-3
 WANTED = {"one": 6, "many": 30}
 """MuJoCo's time / ours."""
-CONES = {"pyramidal, impratio 1 (default)": (mujoco.mjtCone.mjCONE_PYRAMIDAL, 1.0),
-         "elliptic, impratio 100": (mujoco.mjtCone.mjCONE_ELLIPTIC, 100.0)}
+CONES = {"pyramidal, impratio 1 (default)": 'cone="pyramidal" impratio="1"',
+         "elliptic, impratio 100": 'cone="elliptic" impratio="100"'}
 FEET, SECONDS, MINUTE = ("fl_shank", "fr_shank", "rl_shank", "rr_shank"), 1.0, 60.0
 KP, KD, ARMATURE, MU = 200, 5, 1.2e-4 * 81, 0.7
 
@@ -37,13 +37,12 @@ def standing() -> tuple[np.ndarray, np.ndarray]:
     return result.q[-1], result.v[-1]
 
 
-def model_of(cone: tuple[int, float]) -> mujoco.MjModel:
+def model_of(cone: str) -> mujoco.MjModel:
     """MuJoCo's model of the scene: the same feet, springs and dampers in place of the motors."""
     text = re.sub(r"<(visual|collision)\b[^>]*>.*?</\1>", "", SCENE.with_name(
         "quadruped.urdf").read_text(), flags=re.DOTALL)
-    spec = mujoco.MjSpec.from_string(text)
-    spec.option.timestep, spec.option.cone, spec.option.impratio = STEP, *cone
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec = mujoco.MjSpec.from_string(text.replace("</robot>", (
+        f'<mujoco><option timestep="{STEP}" {cone} integrator="implicitfast"/></mujoco></robot>')))
     trunk = spec.worldbody.first_body()
     trunk.add_freejoint()
     spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[5, 5, 1], friction=[MU, 0, 0])

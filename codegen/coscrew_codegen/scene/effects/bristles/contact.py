@@ -11,6 +11,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
+from coscrew_codegen.program import Constant
 from coscrew_codegen.scene.contacts.contact_law import (
     COMMON,
     MOMENTS,
@@ -39,21 +40,37 @@ lowest point."""
 
 def _surface(state: BodyState, values: Values) -> tuple[Number, Vector, Vector]:
     """The gap to the ground, the ground's normal, in the world's frame, and the point of the
-    undeformed surface that is the closest to the ground, in the body's."""
+    undeformed surface that is the closest to the ground, in the body's.
+
+    Over heights they are those of the plane that is tangent where the surface would touch the plane
+    under its centre: once more than that plane itself, which is off by the heights' bend within a
+    radius."""
     centre = values.vector("point")
-    distance, n = state.above_ground(state.world_position(centre))
-    radius = values.get("radius")
-    if radius is None:
+    position = state.world_position(centre)
+    distance, n = state.above_ground(position)
+    if values.get("radius") is None:
         return distance, n, centre
-    up = state.own_direction(n)
-    if values.word("shape") == "disc":
-        axis = values.vector("axis")
-        axis = scaled(1 / sqrt(dot(axis, axis)), axis)
-        along = dot(axis, up)
-        sine = sqrt(maximum(1 - along * along, _FLAT * _FLAT))
-        radius, up = radius * sine, scaled(1 / sine, subtract(up, scaled(along, axis)))
-        return distance - radius, n, subtract(centre, scaled(radius / sine, up))
-    return distance - radius, n, subtract(centre, scaled(radius, up))
+    reach, offset = _reach(state, values, n)
+    if not all(isinstance(x.operand, Constant) for x in n):
+        away = state.world_direction(offset)
+        nearer, n = state.above_ground(subtract(position, away))
+        distance = nearer + dot(away, n)
+        reach, offset = _reach(state, values, n)
+    return distance - reach, n, subtract(centre, offset)
+
+
+def _reach(state: BodyState, values: Values, n: Vector) -> tuple[Number, Vector]:
+    """How far the surface reaches from its centre against a normal, and the way there, backwards,
+    in the body's frame."""
+    radius, up = values["radius"], state.own_direction(n)
+    if values.word("shape") != "disc":
+        return radius, scaled(radius, up)
+    axis = values.vector("axis")
+    axis = scaled(1 / sqrt(dot(axis, axis)), axis)
+    along = dot(axis, up)
+    sine = sqrt(maximum(1 - along * along, _FLAT * _FLAT))
+    reach, up = radius * sine, scaled(1 / sine, subtract(up, scaled(along, axis)))
+    return reach, scaled(reach / sine, up)
 
 
 def _force(state: BodyState, values: Values) -> Force:
