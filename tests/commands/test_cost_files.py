@@ -206,9 +206,9 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
     assert heights == sorted(set(heights), reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
     assert [x for x in key if x in (*TIERS, *BY_NAME, "recommended")] == [
         *TIERS, *BY_NAME, "recommended"]
-    assert [[x for x in of if x.startswith("error")] for of in texts] == [
+    assert [[x for x in of if x.startswith("error")] for of in texts[:2]] == [
         ["error, N"], ["error, N m"]]
-    for of in texts:  # of an axis, all numbers are with a power of ten or none
+    for of in texts[:2]:  # of an axis, all numbers are with a power of ten or none
         ticks = [x for x in of if re.fullmatch(r"[\d.]+(e-\d+)?", x) and float(x) < 1]
         assert len(ticks) > 2 and all("e-" in x for x in ticks)
 

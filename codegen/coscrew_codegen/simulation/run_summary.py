@@ -13,7 +13,7 @@ from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.functions.steps.step_parts import MOST_OF_CONTACTS
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.mechanism.mimics import without_chains
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.simulation import SimulateError
@@ -129,7 +129,7 @@ def outside(its: System, q: np.ndarray) -> str:
 def _ranged(c: Coordinate, q: np.ndarray) -> np.ndarray:
     """The number that a range of a joint holds: its coordinate, or the angle of its turn."""
     own: np.ndarray = np.moveaxis(q[..., c.q.start:c.q.stop].astype(float), -1, 0)
-    if not kind_named(c.kind).by_angle:
+    if not KIND_NAMED[c.kind].by_angle:
         return np.asarray(own[0])
     return np.asarray(2 * np.arctan2(np.linalg.norm(own[:3], axis=0), abs(own[3])))
 

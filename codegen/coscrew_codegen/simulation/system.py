@@ -181,7 +181,7 @@ class System:
         those of q and v, unless the scene starts them.  (…, nq), (…, nv)->(…, nq)."""
         q, first = np.array(q), q.shape[-1] - len(self.functions.states)
         joints = {c.joint: c for c in self.functions.coordinates}
-        for own in states_of(self.scene):
+        for own in states_of(self.scene) if self.functions.states else ():
             for place, state, column in zip(own.places, own.applied.states, own.columns,
                                             strict=True):
                 if state.starts and column not in self.scene.start_x:
