@@ -15,7 +15,7 @@ from coscrew_codegen.backends.c.c_early_stores import has_many_results
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
 from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.backends.c.c_stores import Layout, in_rows
+from coscrew_codegen.backends.c.c_stores import Layout, in_lines
 from coscrew_codegen.backends.c.c_together import together
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
@@ -139,7 +139,6 @@ class FunctionParts:
         """Declarations; kept values are stored as soon as they are computed, since values that are
         stored at the end occupy registers until then."""
         kept, stores = _computed(part), self._stores(group, precision)
-        shapes = rows(self._outputs(group, part, precision))
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
             language(part, precision), self._read(part, precision), above)
@@ -150,8 +149,8 @@ class FunctionParts:
             names = [name for x in assigned if not isinstance(x, str) for name in x.names]
             yield from (f"{group.name}->{x} = {x};" for x in names
                         if x in kept and not self._only_stored(group, x, precision))
-            yield from in_rows([(target, self._narrowed(precision) + x) for x in names
-                                for target in stores.get(x, ())], shapes, WIDTH - 2)
+            yield from in_lines([(target, self._narrowed(precision) + x) for x in names
+                                 for target in stores.get(x, ())], WIDTH - 2)
 
     def _planned(self, part: Program, named: frozenset[str]) -> NestingPlan:
         """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
