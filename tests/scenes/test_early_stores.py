@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.backends.scene import scene_c, scene_c_parts
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from tests.support.compiled.c_harness import C11, STRICT, run
@@ -46,6 +46,17 @@ def test_stores_stand_among_declarations_and_behind_all_arguments(functions, nam
     assert not re.search(r"\b[qva]\[", behind)
 
 
+def test_parts_store_results(functions, monkeypatch: pytest.MonkeyPatch):
+    """The function that calls them stores constants alone, and gives them copies of arguments."""
+    monkeypatch.setattr(scene_c_parts, "LONG", 1000)
+    monkeypatch.setattr(scene_c_parts, "LONGEST", 60)
+    lines = lines_of(functions, "inverse_dynamics_derivatives")
+    stores = [line for line in lines if re.match(r"  (dtau_d[qv]|M)\[", line)]
+    assert stores and all(re.search(r"= \d+\.\d+;$", line) for line in stores), stores
+    calls = [line for line in lines if re.match(r"  snake_part_", line)]
+    assert len(calls) > 10 and not any(re.search(r"[(,] ?[qva][,)]", line) for line in calls)
+
+
 def test_few_results_are_stored_last(functions):
     *declared, last = lines_of(functions, "inverse_dynamics")
     assert last.startswith("  tau[") and not any(x.startswith("  tau[") for x in declared[:-1])
@@ -53,8 +64,13 @@ def test_few_results_are_stored_last(functions):
 
 @each_precision
 @each_compiler
-def test_many_results_may_overlap_arguments(functions, compiler: str, precision, tmp_path: Path):
+@pytest.mark.parametrize("parts", (False, True), ids=("whole", "parts"))
+def test_many_results_may_overlap_arguments(functions, compiler: str, precision, parts: bool,
+                                            tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     """Each output, from one number before an input's first to its last one."""
+    if parts:
+        monkeypatch.setattr(scene_c_parts, "LONG", 0)
+        monkeypatch.setattr(scene_c_parts, "LONGEST", 60)
     package = getattr(imported(functions, tmp_path), precision.name)
     for name, text in scene_c.files(functions, BANNER).items():
         (tmp_path / name).write_text(text)

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from coscrew_codegen.backends.c.c_stores import Stores, in_rows
+from coscrew_codegen.backends.c.c_stores import Stores, in_lines
 from coscrew_codegen.backends.c.c_together import Together
 from coscrew_codegen.backends.nesting import Assignment
 from coscrew_codegen.program import Program, Ref
@@ -44,12 +44,16 @@ def statements(stores: Stores, saved: Mapping[str, str], declared: Declared, wid
     for item in (*(_of_copies(x, copied) for x in items[start:]), ""):
         if not item or sum(len(x) + len(y) + 5 for x, y in waiting) > width:
             yield from declared(piece)
-            yield from in_rows(waiting, stores.layout.rows, width)
+            yield from in_lines(waiting, width)
             done.update(target for target, _ in waiting)
             piece, waiting = [], []
         piece.append(item)
         waiting += _stores_of(item, of_value)
-    yield from stores.of_targets([x for x in stores.targets if x not in done], saved, width)
+    single = dict(stores.single())
+    rest = [x for x in stores.targets if x not in done]
+    yield from stores.of_targets([x for x in rest if x not in single], saved, width)
+    yield from in_lines([(x, saved.get(single[x], single[x])) for x in rest
+                         if single.get(x, x) != x], width)
 
 
 def _by_value(stores: Stores) -> dict[str, list[tuple[str, str]]]:

@@ -227,12 +227,17 @@ def in_rows(stores: Sequence[tuple[str, str]], rows: Mapping[str, int], width: i
         return (match[1], int(match[2]) // rows.get(match[1], 1)) if match else (store[0], 0)
 
     for _, group in groupby(stores, row):
-        statements = [f"{target} = {text};" for target, text in group]
-        line = ""
-        for statement in statements:
-            if line and len(line) + 1 + len(statement) > width:
-                yield line
-                line = ""
-            line = f"{line} {statement}" if line else statement
-        yield line
+        yield from in_lines(list(group), width)
 
+
+def in_lines(stores: Sequence[tuple[str, str]], width: int) -> Iterator[str]:
+    """The assignments of these texts to these targets, as many on a line as it holds."""
+    line = ""
+    for target, text in stores:
+        statement = f"{target} = {text};"
+        if line and len(line) + 1 + len(statement) > width:
+            yield line
+            line = ""
+        line = f"{line} {statement}" if line else statement
+    if line:
+        yield line

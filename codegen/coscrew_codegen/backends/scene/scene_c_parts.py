@@ -2,12 +2,12 @@
 functions use are written once.
 
 The time of compilers grows faster than a function's length, so no part is long.  Parts pass values
-to each other in structures on the stack of the function that calls them.
+to each other in structures on the stack of the function that calls them.  Where a function has many
+results, its parts store them, and read copies of its arguments, since outputs may overlap inputs.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import groupby
 
 from coscrew_codegen.algebra.recording.recorder import headings
@@ -15,7 +15,7 @@ from coscrew_codegen.backends.c.c_early_stores import has_many_results
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
 from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.backends.c.c_stores import Layout
+from coscrew_codegen.backends.c.c_stores import Layout, in_lines
 from coscrew_codegen.backends.c.c_together import together
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
@@ -26,19 +26,17 @@ from coscrew_codegen.backends.scene.scene_text import (
     outputs,
     printable,
     rows,
+    size,
 )
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.quantity import Argument
 
 LONG = 4000
 """A function with at most so many instructions is not cut: those of arms with seven joints are
 shorter, and would be slower in parts."""
-MATRICES = Fraction(3, 2)
-"""Functions of matrices are not cut up to so many times that length: their results leave registers
-early.  Parts made derivatives of seven joints' forward dynamics take 1.1 times as long, and 1.17
-times in lanes; the mass matrix of 35 joints 1.03 and 1.09 times."""
 LONGEST = 600
 """Largest number of instructions of a part: those of a few links."""
 _OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
@@ -46,13 +44,8 @@ _OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
 
 def _cuts(plans: Sequence[NestingPlan]) -> dict[str, Cut]:
     """The long functions, which are cut, by name."""
-    long = [plan.program for plan in plans if _is_long(plan.program)]
+    long = [plan.program for plan in plans if len(plan.program.instructions) > LONG]
     return cut([_angles_first(x) for x in long], LONGEST)
-
-
-def _is_long(program: Program) -> bool:
-    longest = LONG * (MATRICES if has_many_results(program) else 1)
-    return len(program.instructions) > longest
 
 
 def _angles_first(program: Program) -> Program:
@@ -80,6 +73,19 @@ class FunctionParts:
                        for f in scene.functions if f.name in self.cuts
                        for place, words in f.headings}
         self._inputs = {a.name: a for f in scene.functions for a in f.program.inputs}
+        self._read_of = self._values_read()
+        self._stored = {f.name: stored for f in scene.functions if f.name in self.cuts
+                        and (stored := self._stored_by_parts(f))}
+
+    def _values_read(self) -> dict[str, set[str]]:
+        """The values of each group that parts read."""
+        read: dict[str, set[str]] = {name: set() for name in self._groups}
+        for part in (part for group in self._groups.values() for part in group.parts):
+            for x in part.used_inputs():
+                name = part.inputs[x.argument].name
+                if name in read:
+                    read[name].add(self._groups[name].kept[x.index])
+        return read
 
     def above(self, function: FunctionProgram, precision: Precision) -> Iterator[CFunction]:
         """The parts that no earlier function calls."""
@@ -89,12 +95,19 @@ class FunctionParts:
 
     def body(self, function: FunctionProgram, precision: Precision) -> str:
         """The body of a function: calls of its parts, and its results."""
-        cut = self.cuts[function.name]
-        declared = [f"{self._struct(group, precision)} {group.name};" for group in cut.groups]
-        calls = [self._call(group, part, precision)
+        cut, copies = self.cuts[function.name], self._copies(function, precision)
+        declared = [*(f"{precision.c_type} {copy}[{size(self._inputs[x])}];\n"
+                      f"memcpy({copy}, {x}, sizeof {copy});" for x, copy in copies.items()),
+                    *(f"{self._struct(group, precision)} {group.name};" for group in cut.groups)]
+        calls = [self._call(group, part, precision, copies)
                  for group in cut.groups for part in group.parts]
-        results = FunctionBody(cut.last, precision, Stored(
-            self._returned(cut.last, precision), arguments.targets(outputs(function)),
+        stored = {target for targets in self._stores(cut.groups[-1], precision).values()
+                  for target in targets}
+        rest = [x for x in zip(arguments.targets(outputs(function)), cut.last.results, strict=True)
+                if x[0] not in stored]
+        last = replace(cut.last, results=tuple(x for _, x in rest))
+        results = FunctionBody(last, precision, Stored(
+            self._returned(last, precision, copies), [target for target, _ in rest],
             [a.name for a in outputs(function)]),
             layout=None if precision.device else Layout(
                 rows(outputs(function)), function.internal)).text()
@@ -103,7 +116,8 @@ class FunctionParts:
     def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:
         *others, last = group.users
         users = f"{', '.join(others)} and {last}" if others else last
-        members = listed(f"{self._working(precision).c_type} ", group.kept, ";", WIDTH - 2)
+        members = listed(f"{self._working(precision).c_type} ", [
+            x for x in group.kept if not self._only_stored(group, x, precision)], ";", WIDTH - 2)
         struct = "\n".join((comment_of([f"The values that parts of {users} share."]),
                             f"{self._struct(group, precision)} {{", _indented([members]), "};"))
         for number, part in enumerate(group.parts):
@@ -113,7 +127,10 @@ class FunctionParts:
             yield CFunction(
                 part.name, comment if number else f"{struct}\n\n{comment}",
                 arguments.head(c_name(self.scene, part.name, precision),
-                               [self._parameter(x, group, precision) for x in _taken(group, part)],
+                               [*(self._parameter(x, group, precision)
+                                  for x in _taken(group, part)),
+                                *(arguments.written(x, precision)
+                                  for x in self._outputs(group, part, precision))],
                                "KSL_PART_DEVICE" if precision.device
                                else f"{self.scene.name.upper()}_PART"),
                 _indented(self._lines(group, part, precision)), internal=True)
@@ -121,7 +138,7 @@ class FunctionParts:
     def _lines(self, group: Group, part: Program, precision: Precision) -> Iterator[str]:
         """Declarations; kept values are stored as soon as they are computed, since values that are
         stored at the end occupy registers until then."""
-        kept = {x.name for x in part.results if isinstance(x, Ref)}
+        kept, stores = _computed(part), self._stores(group, precision)
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
             language(part, precision), self._read(part, precision), above)
@@ -130,7 +147,10 @@ class FunctionParts:
             assigned = list(run)
             yield from declarations(assigned, self._working(precision), WIDTH - 2)
             names = [name for x in assigned if not isinstance(x, str) for name in x.names]
-            yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
+            yield from (f"{group.name}->{x} = {x};" for x in names
+                        if x in kept and not self._only_stored(group, x, precision))
+            yield from in_lines([(target, self._narrowed(precision) + x) for x in names
+                                 for target in stores.get(x, ())], WIDTH - 2)
 
     def _planned(self, part: Program, named: frozenset[str]) -> NestingPlan:
         """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
@@ -148,9 +168,54 @@ class FunctionParts:
             return f"{const}{self._struct(self._groups[name], precision)} *{name}"
         return arguments.read(self._inputs[name], precision)
 
-    def _call(self, group: Group, part: Program, precision: Precision) -> str:
-        taken = [f"&{x}" if x in self._groups else x for x in _taken(group, part)]
-        return listed(f"{c_name(self.scene, part.name, precision)}(", taken, ");", WIDTH - 2)
+    def _call(self, group: Group, part: Program, precision: Precision, copies: Mapping[str, str]
+              ) -> str:
+        taken = [f"&{x}" if x in self._groups else copies.get(x, x) for x in _taken(group, part)]
+        written = [x.name for x in self._outputs(group, part, precision)]
+        return listed(f"{c_name(self.scene, part.name, precision)}(", [*taken, *written], ");",
+                      WIDTH - 2)
+
+    # results that parts store
+
+    def _stored_by_parts(self, function: FunctionProgram) -> dict[str, list[str]]:
+        """The targets of values of the function's own group, by value."""
+        cut = self.cuts[function.name]
+        own, stored = cut.groups[-1], dict[str, list[str]]()
+        if own.users != (function.name,) or not has_many_results(function.program):
+            return {}
+        for target, x in zip(arguments.targets(outputs(function)), cut.last.results, strict=True):
+            if isinstance(x, Input) and cut.last.inputs[x.argument].name == own.name:
+                stored.setdefault(own.kept[x.index], []).append(target)
+        return stored if any(self._shared(own, x) for x in own.kept) else {}
+
+    def _shared(self, group: Group, value: str) -> bool:
+        """Returns whether a part reads the value from the group's structure."""
+        return value in self._read_of[group.name]
+
+    def _stores(self, group: Group, precision: Precision) -> Mapping[str, list[str]]:
+        """Targets by the values that the group's parts store."""
+        of = self._stored.get(group.users[0], {}) if len(group.users) == 1 else {}
+        return {} if precision.device else of
+
+    def _only_stored(self, group: Group, value: str, precision: Precision) -> bool:
+        return value in self._stores(group, precision) and not self._shared(group, value)
+
+    def _outputs(self, group: Group, part: Program, precision: Precision) -> list[Argument]:
+        """The outputs that a part stores."""
+        stores = self._stores(group, precision)
+        names = {target.partition("[")[0].lstrip("*") for x in _computed(part)
+                 for target in stores.get(x, ())}
+        return [a for a in outputs(self.scene.named(group.users[0])) if a.name in names] \
+            if names else []
+
+    def _copies(self, function: FunctionProgram, precision: Precision) -> dict[str, str]:
+        """Names of copies of arguments, where parts store results."""
+        if precision.device or function.name not in self._stored:
+            return {}
+        return {a.name: f"{a.name}_given" for a in function.inputs if a.quantity.shape}
+
+    def _narrowed(self, precision: Precision) -> str:
+        return f"({precision.c_type})" if self.wide else ""
 
     def _struct(self, group: Group, precision: Precision) -> str:
         return f"struct {c_name(self.scene, f'{group.name}_values', precision)}"
@@ -164,12 +229,17 @@ class FunctionParts:
         converted = read_by(part, precision, plain)
         return lambda x: (plain if part.inputs[x.argument].name in self._groups else converted)(x)
 
-    def _returned(self, last: Program, precision: Precision) -> Callable[[Input], str]:
+    def _returned(self, last: Program, precision: Precision, copies: Mapping[str, str]
+                  ) -> Callable[[Input], str]:
         """The text of a result that a group or an argument holds, in this precision."""
-        plain = self._access(last, ".")
-        narrowed = f"({precision.c_type})" if self.wide else ""
-        return lambda x: plain(x) if last.inputs[x.argument].name not in self._groups \
-            else narrowed + plain(x)
+        plain, narrowed = self._access(last, "."), self._narrowed(precision)
+
+        def text(x: Input) -> str:
+            name = last.inputs[x.argument].name
+            if name in copies:
+                return plain(x).replace(name, copies[name], 1)
+            return narrowed + plain(x) if name in self._groups else plain(x)
+        return text
 
     def _access(self, program: Program, member: str) -> Callable[[Input], str]:
         plain = access(program)
@@ -180,6 +250,11 @@ class FunctionParts:
                 return f"{name}{member}{self._groups[name].kept[operand.index]}"
             return plain(operand)
         return operand_text
+
+
+def _computed(part: Program) -> set[str]:
+    """The values that a part gives."""
+    return {x.name for x in part.results if isinstance(x, Ref)}
 
 
 def _taken(group: Group, part: Program) -> list[str]:
