@@ -108,6 +108,8 @@ class StateOf:
     name: str
     unit: str  # on a joint that turns; its metres stand behind "or", as those of parameters
     words: str
+    of: str = ""  # the parameter without which the effect does not have it
+    starts: str = ""  # q or v: the number of the joint from which it starts instead
 
 
 @dataclass(frozen=True)
@@ -209,6 +211,16 @@ class Resting:
 
 
 @dataclass(frozen=True)
+class Elastic:
+    """Numbers of an elastic gear: the rotor's inertia, the stiffness and the damping between rotor
+    and joint."""
+
+    inertia: Number
+    stiffness: Number
+    damping: Number
+
+
+@dataclass(frozen=True)
 class Torque:
     """Torque along a joint's coordinate, or a force that pushes two points apart.
 
@@ -223,7 +235,10 @@ class Torque:
 
     `rates` are x' of the effect's states.  With a `share`, `bounded` are the states and share times
     these are those within their bounds: a step moves x by its rates, and then puts it there.
-    `switches`: numbers that change their signs where another part of the law begins."""
+    `switches`: numbers that change their signs where another part of the law begins.
+
+    With a `lag` the torque within its limit is what is demanded, and x the torque that acts: x' =
+    (demand - x)/lag.  With `elastic` x are the angle and the speed of a rotor."""
 
     torque: Number | None = None
     limit: Number | None = None
@@ -237,6 +252,8 @@ class Torque:
     bounded: Vector = ()
     share: Number | None = None
     switches: Vector = ()
+    lag: Number | None = None
+    elastic: Elastic | None = None
     ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
     # that is larger: it starts at once, at some speed
 
@@ -371,7 +388,7 @@ class Effect:
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
     bodies_force: Callable[[TwoBodies, Values], Between] | None = None  # contact of two bodies
-    states: tuple[StateOf, ...] = ()  # with rates among the results of its law
+    states: tuple[StateOf, ...] = ()  # with rates, a lag or a gear among the results of its law
     switches: int = 0  # the number of those among the results of its law
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
@@ -386,6 +403,8 @@ class Effect:
     # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded
     limited_by: str = ""  # the parameter that limits its torque, if given
+    drives: bool = False  # it acts on the rotor of a joint that has an elastic gear
+    elastic: bool = False  # it is an elastic gear
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     in_fluid: bool = False  # its force depends on the fluid's motion
@@ -397,4 +416,5 @@ class Effect:
     @property
     def on_sums(self) -> bool:
         """True if it can act on a weighted sum of joints' coordinates."""
-        return self.joint_torque is not None or self.joint_inertia is not None
+        acts = self.joint_torque is not None or self.joint_inertia is not None
+        return acts and not self.elastic

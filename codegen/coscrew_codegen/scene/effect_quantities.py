@@ -115,10 +115,15 @@ class EffectStates:
     """The states x of an effect where it is applied: they stand in q behind the coordinates of
     joints, in the order of the scene's effects."""
 
-    name: str  # of the effect: stiction.elbow
+    applied: Applied
     components: tuple[str, ...]
     units: tuple[str, ...]
     places: range  # in x
+
+    @property
+    def name(self) -> str:
+        """The name of the effect: stiction.elbow."""
+        return self.applied.name
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -133,11 +138,11 @@ def states_of(scene: Scene) -> tuple[EffectStates, ...]:
     kinds = {x.name: x.kind for x in scene.model.joints}
     results: list[EffectStates] = []
     for applied in scene.effects:
-        if own := applied.effect.states:
+        if own := applied.states:
             first = count_of(results)
             lengths = "N" in acted_units(applied, kinds)
             units = tuple(x.unit.split(" or ")[-1 if lengths else 0] for x in own)
-            results.append(EffectStates(applied.name, tuple(x.name for x in own), units,
+            results.append(EffectStates(applied, tuple(x.name for x in own), units,
                                         range(first, first + len(own))))
     return tuple(results)
 

@@ -38,6 +38,7 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
+from coscrew_codegen.dynamics.forces.rotors import Eliminated, eliminated
 from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
 
 _LEAST = Fraction(1, 10**30)
@@ -64,6 +65,7 @@ class Implicit:
     rates: list[Number]
     inertias: list[Number]
     inverse: Inverse
+    rotors: Mapping[int, Eliminated]  # by velocity
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
@@ -88,12 +90,20 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
     damping, stiffness = slopes_at_joints(start)
     rates, moved = list(damping), list(own)
+    geared = {motion.tree.links[n].v.start: (x, start.rotors[n]) for n, x in acting.rotors.items()}
+    rotors: dict[int, Eliminated] = {}
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
         moved[k] = inertia + own[k]
         rates[k] = damping[k] / moved[k]
         mass, c = weights(damping[k], stiffness[k], rates[k])
-        return torques[k] - c * start.motion.v[k], own[k] + mass
+        torque, more = torques[k] - c * start.motion.v[k], own[k] + mass
+        if k in geared:
+            now, before = geared[k]
+            rotors[k] = eliminated(now, before, weights, moved[k])
+            push, beside = rotors[k].on_joint
+            torque, more = torque + (push - required(now.gear.torque.torque)), more + beside
+        return torque, more
 
     joint: Joint = at_joint
     solve = _solver(motion, inertias, *_resisted(motion, start, rigids, weights))
@@ -115,7 +125,7 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
     return Implicit(a, rates, moved, lambda e: solve(
-        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
+        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)), rotors)
 
 
 def row(motion: Motion, weights: Mapping[int, Number | Fraction]) -> list[Number]:
@@ -329,7 +339,8 @@ def _solver(motion: Motion, inertias: OwnInertias, rigids: Sequence[Rigid],
         for row in rows:
             with motion.part(row.link, "B"):
                 bodies[row.link] = bodies[row.link].with_row(row.mass, row.e)
-        return lambda joint, wrenches: aba.accelerations(motion, bodies, wrenches, joint)
+        eliminated = aba.Elimination(motion, bodies)
+        return lambda joint, wrenches: eliminated.accelerations(wrenches, joint)
     M = crba.mass_matrix(motion, rigids, inertias.coupling)
     for row in rows:
         with motion.recorder.part("solution", heading="M a = tau"):

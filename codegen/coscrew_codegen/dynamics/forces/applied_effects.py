@@ -48,16 +48,15 @@ from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law, own_
 from coscrew_codegen.dynamics.forces.moving_states import MovingStates
 from coscrew_codegen.dynamics.forces.own_inertias import owner
 from coscrew_codegen.dynamics.forces.potentials import body_force
+from coscrew_codegen.dynamics.forces.rotors import Rotor
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
     FIRST,
     SECOND,
     Between,
-    ContactForce,
     CoordinateState,
     Effect,
     Force,
-    Torque,
     TwoBodies,
     Values,
     required,
@@ -69,10 +68,14 @@ from coscrew_codegen.scene.scene import Applied, Scene
 class AppliedEffects:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
-    At the joints of the links in `delays` the delay is added to the time."""
+    At the joints of the links in `delays` the delay is added to the time, and for motors that drive
+    a rotor there that in `of_rotors`.  Torques with a lag have
+    followed their demands for the time `over`."""
 
-    def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None):
-        self.scene, self.motion = scene, motion
+    def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None,
+                 over: Number | None = None, of_rotors: Mapping[int, Number] | None = None):
+        self.scene, self.motion, self._over = scene, motion, over
+        self._of_rotors = of_rotors or {}
         recorder = motion.recorder
         self.recorder = recorder
         self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
@@ -83,6 +86,8 @@ class AppliedEffects:
         self.touches: list[Touch] = []
         self.sums: list[Summed] = []
         self.states: list[MovingStates] = []
+        self.rotors: dict[int, Rotor] = {}
+        self._geared = {x.on: x for x in scene.effects if x.effect.elastic}
         self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
@@ -102,7 +107,8 @@ class AppliedEffects:
         if effect.body_force:
             state = replace(self._body(applied.on), x=self.motion.states(applied.name))
             self._add(state, body_force(effect.body_force, state, applied.values))
-            self._note(applied, self.forces[state.link][-1].force)
+            if state.x:
+                self._note(applied, MovingStates(state.x, self.forces[state.link][-1].force))
         if effect.pair_force:
             pair = self._pair(effect.pair_force, applied)
             for state, force in zip(pair.states, pair.forces, strict=True):
@@ -116,27 +122,38 @@ class AppliedEffects:
                 self.inertias.setdefault(link, []).append(inertia)
 
     def _act_along(self, law: Law, x: ActedCoordinate, applied: Applied) -> None:
-        at = CoordinateState(x.q, x.v, self.t + self.delays.get(x.link, 0),
+        effect = applied.effect
+        behind = self._geared.get(applied.on) if effect.drives and not applied.terms else None
+        q, v = self.motion.states(behind.name) if behind else (x.q, x.v)
+        delays = self._of_rotors if behind else self.delays
+        at = CoordinateState(q, v, self.t + delays.get(x.link, 0),
                              self._holding(x.link, applied), self.motion.states(applied.name))
-        along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
-        if x.link == SUM:
+        along = JointEffect(law, at, x.values, self.recorder.current, x.freedom, over=self._over)
+        if behind:
+            self._rotor(x.link).motors.append(along)
+        elif x.link == SUM:
             self.sums.append(Summed(x.weights, along))
         else:
             self.torques.setdefault(x.link, []).append(along)
-        if applied.effect.states:
-            self._note(applied, along.torque)
+        rotor = self._rotor(x.link) if effect.elastic else None
+        if rotor:
+            rotor.gears.append(along)
+        if at.x:
+            lagging = None if along.torque.lag is None else along
+            self._note(applied, MovingStates(at.x, along.torque, lagging, rotor))
 
-    def _note(self, applied: Applied, law: Torque | Force | ContactForce) -> None:
+    def _rotor(self, link: int) -> Rotor:
+        return self.rotors.setdefault(link, Rotor())
+
+    def _note(self, applied: Applied, own: MovingStates) -> None:
         """Keeps the states of an effect, with their rates and bounds."""
-        effect, x = applied.effect, self.motion.states(applied.name)
-        if not x:
-            return
-        bounded = len(x) if law.share is not None else 0
-        for name, of, wanted in (("rates", law.rates, len(x)), ("bounded", law.bounded, bounded),
+        effect, law, count = applied.effect, own.law, len(own.x)
+        for name, of, wanted in (("rates", law.rates, 0 if own.rotor else count),
+                                 ("bounded", law.bounded, 0 if law.share is None else count),
                                  ("switches", law.switches, effect.switches)):
             if len(of) != wanted:
                 raise TypeError(f"{effect.name} has {wanted} {name}; its law gives {len(of)}")
-        self.states.append(MovingStates(x, law))
+        self.states.append(own)
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""
@@ -206,7 +223,8 @@ class AppliedEffects:
         touch = Touch((first, second), between)
         for state, force in zip(touch.states, touch.forces, strict=True):
             self._add(state, force)
-        self._note(applied, between.law)
+        if two.x:
+            self._note(applied, MovingStates(two.x, between.law))
         self.touches.append(touch)
 
     def _add(self, state: BodyOfLink, force: Force) -> None:
@@ -217,6 +235,8 @@ class AppliedEffects:
         result = copy(self)
         result.torques = {link: [x.with_later(y) for x, y in zip(
             effects, later.torques[link], strict=True)] for link, effects in self.torques.items()}
+        result.rotors = {link: x.with_later(later.rotors[link])
+                         for link, x in self.rotors.items()}
         result.sums = [replace(x, along=x.along.with_later(y.along))
                        for x, y in zip(self.sums, later.sums, strict=True)]
         return result
@@ -285,8 +305,10 @@ class AppliedEffects:
                 torque = x.torque
                 total = total + own_power(torque, partial(mul, required(torque.torque),
                                                            speeds[x.freedom]))
-        for summed in self.sums:
-            at, torque = summed.along.at, summed.along.torque
+        beside = [x.along for x in self.sums]
+        beside += [x for link in sorted(self.rotors) for x in self.rotors[link].motors]
+        for along in beside:
+            at, torque = along.at, along.torque
             total = total + own_power(torque, partial(mul, required(torque.torque), at.v))
         for link in sorted(self.forces):
             for force in self.forces[link]:
@@ -320,7 +342,8 @@ def _rate(applied: Applied, t: Number) -> Vector:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this effect alone, in the same wind and on the same ground."""
-    around = (x for x in scene.effects
-              if (x.effect.wind or x.effect.ground) and x is not applied)
+    """The scene with this effect alone, in the same wind, on the same ground and at the same rotor.
+    """
+    around = (x for x in scene.effects if x is not applied and (
+        x.effect.wind or x.effect.ground or x.effect.elastic and x.on == applied.on))
     return replace(scene, effects=(applied, *around))

@@ -33,6 +33,8 @@ def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
         link, inertia = inertia_in_link(applied, x.recorder, x.tree)
         return {ENERGY: lambda: [energies.of_inertia(inertia, motion.twist(link))]}
     acting = AppliedEffects(alone(x.scene, applied), motion).act()
+    if effect.drives and acting.rotors:
+        return _of_joint([x for rotor in acting.rotors.values() for x in rotor.motors])
     if effect.joint_torque:
         return _of_joint([*(x for several in acting.torques.values() for x in several),
                           *(x.along for x in acting.sums)])
