@@ -16,6 +16,7 @@ from coscrew_codegen.dynamics import derive, integrator_steps
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.runtime import load
 from coscrew_codegen.scene.function_selection import (
+    ALL_CONTACTS,
     CONTACTS,
     FREE,
     LOOPS,
@@ -91,6 +92,7 @@ def test_each_function_can_stand_alone(name: str, tmp_path: Path):
     """Nothing else is declared; its text is the same as among all others; it compiles without a
     warning, of unused functions either."""
     for absent, why in ((FREE, "no base is floating"), (LOOPS, "no loop is closed"),
+                        ((ALL_CONTACTS,), "nothing touches anything"),
                         ((STATE_RATES,), "no effect has states"),
                         ((SWITCHES,), "no effect has switches")):
         if name in absent:

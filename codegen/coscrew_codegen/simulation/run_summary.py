@@ -88,7 +88,9 @@ def bounces(result: Result) -> str:
     in a step that the default integrator would split, or if that would need more parts of a step
     than contacts of bodies may have; else ""."""
     its, planned, run = result.system, result.plan, result.trajectory
-    if planned.integrator == DEFAULT and not math.isnan(at := unresolved(its, run, planned.step)):
+    touching = any(x.effect.parts or x.effect.bodies_force for x in its.scene.effects)
+    splits = planned.integrator == DEFAULT and touching
+    if splits and not math.isnan(at := unresolved(its, run, planned.step)):
         return (f"a contact bounces too fast at t = {at:g} s for parts of steps of "
                 f"{planned.step:g} s, {MOST_OF_CONTACTS} at most: it loses speed; take a smaller "
                 "step, or a larger depth")

@@ -25,7 +25,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, alone
-from coscrew_codegen.dynamics.forces.scene_constants import gravity, joint_inertias
+from coscrew_codegen.dynamics.forces.own_inertias import gravity, joint_inertias
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect_quantities import count_of, places_of, states_of
 from coscrew_codegen.scene.mechanism.tree import Tree

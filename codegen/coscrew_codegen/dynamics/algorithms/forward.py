@@ -24,7 +24,7 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.dynamics.algorithms import aba, crba, rnea
 from coscrew_codegen.dynamics.algorithms.aba import Articulated, Joint
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
-from coscrew_codegen.dynamics.algorithms.linear_systems import factored
+from coscrew_codegen.dynamics.algorithms.linear_systems import factored, product
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.contacts.soft_rows import (
@@ -32,7 +32,6 @@ from coscrew_codegen.dynamics.contacts.soft_rows import (
     Solve,
     Weights,
     axes_about,
-    product,
     with_soft_rows,
 )
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects

@@ -93,3 +93,11 @@ class LeafFactors:
 def factored_from_leaves(A: Sequence[Sequence[Number]]) -> LeafFactors:
     """The factors of a symmetric positive definite matrix; only its upper triangle is read."""
     return LeafFactors(factored([row[::-1] for row in A[::-1]]))
+
+
+def product(a: Sequence[Number], b: Sequence[Number]) -> Number:
+    """a·b."""
+    total = a[0].like(0)
+    for x, y in zip(a, b, strict=True):
+        total = total + x * y
+    return total

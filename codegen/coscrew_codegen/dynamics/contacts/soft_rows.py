@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector, less, sqrt, where
 from coscrew_codegen.dynamics.algorithms.aba import Joint
-from coscrew_codegen.dynamics.algorithms.linear_systems import factored
+from coscrew_codegen.dynamics.algorithms.linear_systems import factored, product
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.scene.effect import Slopes
 
@@ -75,11 +75,3 @@ def axes_about(n: Vector) -> tuple[Vector, Vector, Vector]:
     a = -1 / (sign + z)
     b = x * y * a
     return n, (1 + sign * (x * x * a), sign * b, -(sign * x)), (b, sign + y * y * a, -y)
-
-
-def product(a: Sequence[Number], b: Sequence[Number]) -> Number:
-    """a·b."""
-    total = a[0].like(0)
-    for x, y in zip(a, b, strict=True):
-        total = total + x * y
-    return total

@@ -43,13 +43,12 @@ from coscrew_codegen.dynamics.forces.exerted_forces import (
     Paired,
     Summed,
     Touch,
-    own_power,
 )
-from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law, own_power
 from coscrew_codegen.dynamics.forces.moving_states import MovingStates
+from coscrew_codegen.dynamics.forces.own_inertias import owner
 from coscrew_codegen.dynamics.forces.potentials import body_force
 from coscrew_codegen.dynamics.forces.rotors import Rotor
-from coscrew_codegen.dynamics.forces.scene_constants import owner
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
     FIRST,

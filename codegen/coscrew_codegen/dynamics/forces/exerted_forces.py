@@ -1,13 +1,13 @@
 """Forces that effects exert on bodies and between them, and torques on sums of coordinates."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector, negative, scaled
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
-from coscrew_codegen.dynamics.forces.linearization import JointEffect
-from coscrew_codegen.scene.effect import Between, Force, PointSlopes, Slopes, Torque, required
+from coscrew_codegen.dynamics.forces.linearization import JointEffect, own_power
+from coscrew_codegen.scene.effect import Between, Force, PointSlopes, Slopes, required
 
 
 @dataclass(frozen=True)
@@ -137,10 +137,3 @@ class Summed:
 
     weights: Mapping[int, Number | Fraction]  # by velocity
     along: JointEffect
-
-
-def own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
-    """The power of the part without potential energy; `whole` computes that of the whole."""
-    if x.power is not None:
-        return x.power
-    return whole() if x.energy is None else 0

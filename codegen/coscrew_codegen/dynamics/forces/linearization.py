@@ -40,7 +40,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.program import Program, differentiate
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.scene.effect import CoordinateState, Slopes, Torque, Values, required
+from coscrew_codegen.scene.effect import CoordinateState, Force, Slopes, Torque, Values, required
 from coscrew_codegen.scene.scene import Setting
 
 Law = Callable[[CoordinateState, Values], Torque]
@@ -268,3 +268,10 @@ class _Law:
         given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
                  for a in self.recorder.inputs]
         return self.recorder.replay(self.program(self.torque), *given)[0].is_zero
+
+
+def own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
+    """The power of the part without potential energy; `whole` computes that of the whole."""
+    if x.power is not None:
+        return x.power
+    return whole() if x.energy is None else 0

@@ -45,8 +45,7 @@ def contacts_of(system: System, trajectory: Trajectory, step: float) -> Contacts
 def unresolved(system: System, trajectory: Trajectory, step: float) -> float:
     """The first time at which a step of this length would need more parts than contacts of bodies
     may have; NaN if there is none."""
-    touching = any(x.effect.parts or x.effect.bodies_force for x in system.scene.effects)
-    if not (touching and system.has("parts")):
+    if not system.has("parts"):
         return float("nan")
     t, q, v = trajectory.t, trajectory.q, trajectory.v
     with np.errstate(all="ignore"):
