@@ -10,12 +10,12 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from coscrew_codegen.scene.content import hashed
 from coscrew_codegen.scene.mechanism.collision import PLANE, Collision, Friction
 from coscrew_codegen.scene.mechanism.visual import MESH, Triangles
 from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.scene import hashed
 from tests.support.scenes import robots
 from tests.support.scenes.selecting import checked
 
@@ -64,7 +64,7 @@ def test_shapes_of_urdf_have_exact_sizes_and_places(tmp_path, geometry, shape, s
     ("<collision/>", "line 1: <collision> has 0 shapes; wanted one"),
     (collision('<cone radius="1"/>'), "line 1: <cone> is no shape; wanted one of box"),
     (collision('<sphere radius="-1"/>'), "a sphere of the sizes -1; wanted positive ones"),
-    (collision('<sphere radius="wide"/>'), "line 1: 'wide' is no number"),
+    (collision('<sphere radius="wide"/>'), "line 1: 'radius' of <sphere> is 'wide'; wanted 1"),
     (collision('<box size="1 2"/>'), "line 1: 'size' of <box> is '1 2'; wanted 3 numbers"),
     (collision('<mesh filename="none.stl"/>'), "line 1: no file 'none.stl'"),
     (collision('<sphere radius="1"/>', '<origin rpy="0 0"/>'), "line 1: 'rpy' of <origin>")))

@@ -5,9 +5,10 @@ remains only where a result needs it.  The rules change two values only: the sig
 times infinity or NaN, which becomes 0."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from typing import NamedTuple
 
 import mpmath
 
@@ -17,6 +18,7 @@ from coscrew_codegen.program.interpreter import exactly
 DIGITS = 60
 """Decimal digits of constants that are not short fractions: far beyond double precision."""
 
+_OF_ZERO = {Op.ADD, Op.MUL, Op.SCALE}
 _ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
 _LONGEST = 1 << 1200
 _CANCELLED = 120
@@ -29,16 +31,14 @@ _FAR = 1 << 14
 short pulse in time has such a factor, whose fraction would have 10^11 bits."""
 
 
-@dataclass(frozen=True)
-class Folded:
+class Folded(NamedTuple):
     """The instruction that remains to be issued."""
 
     op: Op
     operands: tuple[Operand, ...]
 
 
-@dataclass(frozen=True)
-class KnownSign:
+class KnownSign(NamedTuple):
     """The negative of the instruction that remains to be issued."""
 
     of: tuple[Op, tuple[Operand, ...]]
@@ -57,21 +57,31 @@ def fraction(value: Fraction | int) -> Fraction:
 
 def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     """op(operands) folded: an operand, or the instruction that remains to be issued."""
-    constants = tuple(x for x in operands if isinstance(x, Constant))
+    constants = [x for x in operands if isinstance(x, Constant)]
     if op is Op.EXP and constants and max(constants[0].double, constants[0].single) > _FAR:
         return Folded(op, operands)
-    if op is not Op.SELECT and len(constants) == len(operands):
-        return _negative(*constants) if op is Op.NEG else _constant(op, constants)
+    if len(constants) == len(operands) and op is not Op.SELECT:
+        return _negative(*constants) if op is Op.NEG else _constant(op, tuple(constants))
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result
 
 
 def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
+    if op in _OF_ZERO and (result := _of_zero(op, *operands)):
+        return result
     double = _evaluated(op, tuple(x.double for x in operands))
     if all(x.single is x.double or x.single == x.double for x in operands):
         return Constant(double, double)
     return Constant(double, _evaluated(op, tuple(x.single for x in operands)))
+
+
+def _of_zero(op: Op, a: Constant, b: Constant) -> Constant | None:
+    """Returns 0 b = 0, or a + 0 = a, the most frequent of all operations: without arithmetic."""
+    for x, y in ((a, b), (b, a)):
+        if not (x.double.numerator or x.single.numerator) and (op is not Op.ADD or not y.name):
+            return y if op is Op.ADD else _ZERO
+    return None
 
 
 def _negative(x: Constant) -> Constant:
