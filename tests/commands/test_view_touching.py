@@ -1,5 +1,5 @@
-"""What touches in a playback page: shapes of contacts, the ground, points of closed loops, and the
-arrows of their forces."""
+"""Contacts in a playback page: their shapes, the ground, points of closed loops, and the arrows of
+their forces."""
 
 import math
 import zlib

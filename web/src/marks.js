@@ -135,7 +135,7 @@ function tube(path, radius, sides) {
 }
 
 // The arrows with their signals' numbers, and a function from a force to its arrow's length in
-// sizes of the robot: in proportion, but for the shocks, which would make all others too small.
+// sizes of the robot: in proportion, except shocks, which would make all others too small.
 export function forces(recording) {
   const signals = recording.groups.flatMap(group => group.signals);
   const given = recording.arrows.map(arrow => ({
