@@ -270,7 +270,9 @@ def test_all_bodies_are_framed(browser, runs, name):
     shown = opened(browser, runs[1], name, 1280, 844)
     for width, phone in ((1280, False), (390, True)):
         resize(shown, width, 844, phone)
-        shown.execute_script("player.stage.resize(); player.fit();")
+        shown.execute_async_script("""
+            const done = arguments[0];
+            requestAnimationFrame(() => requestAnimationFrame(() => done()));""")
         points, free, wide = shown.execute_script(CORNERS, [0, 0.5, 1, 1.5, 2])
         x, y = np.transpose(points)
         assert x.min() > 0 and x.max() < wide

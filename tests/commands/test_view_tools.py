@@ -160,7 +160,9 @@ def test_samples_are_stepped_and_runs_repeated(shown):
 
 def test_a_picture_is_saved_with_its_background(shown):
     shown.execute_script("""
-        HTMLAnchorElement.prototype.click = function () { window.saved = [this.download, this.href]; };
+        HTMLAnchorElement.prototype.click = function () {
+          window.saved = [this.download, this.href];
+        };
         """)
     press(shown, "p")
     name, text = shown.execute_script("return saved;")
@@ -172,4 +174,4 @@ def test_a_picture_is_saved_with_its_background(shown):
     assert (pixels[:, 3] == 255).all() and len(np.unique(pixels, axis=0)) > 100
     near = shown.execute_script("""
         return getComputedStyle(document.documentElement).getPropertyValue("--near");""")
-    assert "#%02x%02x%02x" % tuple(pixels[0, :3]) == near.strip()
+    assert f"#{bytes(pixels[0, :3].tolist()).hex()}" == near.strip()

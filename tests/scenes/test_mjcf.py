@@ -137,8 +137,6 @@ IN_JOINTS = {
     "equalities": (PATH.format("") + '<equality><tendon name="e" tendon1="s"/></equality>',
                    '<joint name="wag"', SITES.replace("<joint", '<site name="z"/><joint'),
                    "equality tendon 'e'"),
-    "ball_joints": ("", 'stiffness="4" springref="0"', 'range="0 1" limited="true"',
-                    "range of joint 'ankle'"),
     "polynomials": ("", 'name="wag"', 'name="wag" damping="1 2"',
                     "damping or stiffness of joint 'wag'")}
 

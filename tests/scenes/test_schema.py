@@ -197,8 +197,8 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "x", "p", "expect",
-               "contact", "spring_damper", "viscous", "wrench")
+        own = ("accuracy", "attach", "frames", "bodies", "joints", "leaders", "q", "v", "x", "p",
+               "expect", "contact", "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path
         for key, inner in value.items():

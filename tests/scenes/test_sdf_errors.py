@@ -49,9 +49,8 @@ REFUSED = {
                  "<damping> of <dynamics> is -1; wanted 0 or more"),
     "limits": (chain(hinge("<xyz>0 0 1</xyz><limit><lower>2</lower><upper>1</upper></limit>")),
                "lower, 2, is above upper, 1"),
-    "mass": (chain(hinge()).replace("<mass>1<", "<mass>0<", 1), "mass 0 kg, in place of which "
-             'other programs take 1 kg, or none; wanted a positive mass, or implausible = "warn": '
-             "none"),
+    "mass": (chain(hinge()).replace("<mass>1<", "<mass>0<", 1), "mass 0 kg, for which other "
+             'programs take 1 kg, or none; wanted a positive mass, or implausible = "warn": none'),
     "negative mass": (chain(hinge()).replace("<mass>1<", "<mass>-1<", 1), "wanted a positive mass"),
     "twice": (chain(hinge()).replace("<mass>1</mass>", "<mass>1</mass>" * 2, 1), "<mass> occurs "
               "twice in <inertial>"),

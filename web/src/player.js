@@ -90,7 +90,8 @@ class Player {
                         ["Along y", "y", () => this.fit(SIDES.y)],
                         ["From above", "z", () => this.fit(SIDES.z)]]);
     pointing(recording, robot, stage, this.tree, touch);
-    stage.controls.addEventListener("change", () => { this.dirty = true; });
+    stage.controls.addEventListener("change", touch);
+    stage.controls.addEventListener("start", () => { this.fitted = false; });
     this.stage = stage;
   }
 
@@ -100,7 +101,7 @@ class Player {
     const below = tools.top > stage.top + stage.height / 2;
     this.stage.fit(this.clock.time, (below ? 0 : tools.bottom - stage.top) + ROOM,
                    stage.bottom - (below ? tools.top : bar.top) + ROOM, from);
-    this.dirty = true;
+    Object.assign(this, { from, fitted: true, dirty: true });  // until somebody turns it
   }
 
   // Save the picture on the page's background.
@@ -128,11 +129,14 @@ class Player {
     const resize = () => {
       this.stage?.resize();
       this.plots.resize();
+      if (this.fitted) this.fit(this.from);
       this.dirty = true;
     };
     new ResizeObserver(resize).observe($("stage"));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", event => {
+      this.stage?.restyle(event.matches);
       this.plots.restyle();
+      this.dirty = true;
     });
     resize();
     if (this.stage) this.fit();
@@ -148,7 +152,7 @@ class Player {
     if (!action) return false;
     event.preventDefault();
     action();
-    this.dirty = true;
+    Object.assign(this, { fitted: false, dirty: true });
     return true;
   }
 

@@ -28,23 +28,23 @@ export class Stage {
     this.now = new Vector3();
     this.ratio = this.finest;
     this.frameTime = this.slowFrames = 0;
-    this.light(dark);
-    this.ground = ground(extent, dark, land);
-    this.scene.add(this.ground);
+    this.land = land;
+    this.light();
+    this.restyle(dark);
     this.control();
   }
 
   get finest() { return Math.min(devicePixelRatio || 1, FINEST); }
 
-  light(dark) {
+  light() {
     const { renderer, scene, extent: { size } } = this;
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = PCFShadowMap;
     renderer.toneMapping = ACESFilmicToneMapping;
     renderer.setClearColor(0, 0);
     scene.environment = new PMREMGenerator(renderer).fromScene(new RoomEnvironment(), .04).texture;
-    scene.environmentIntensity = dark ? .42 : .46;
-    scene.add(new HemisphereLight(0xffffff, 0x9aa4b2, dark ? .25 : .3));
+    this.sky = new HemisphereLight(0xffffff, 0x9aa4b2);
+    scene.add(this.sky);
     const key = this.key = new DirectionalLight(0xfff4e6, 2.55), shadow = key.shadow;
     key.castShadow = true;
     shadow.mapSize.set(2048, 2048);
@@ -57,6 +57,15 @@ export class Stage {
     const rim = new DirectionalLight(0xdfe9ff, .7);
     rim.position.set(-2, 3, 1.6);
     scene.add(key, key.target, rim);
+  }
+
+  // Light and ground of a dark page, or of a light one.
+  restyle(dark) {
+    this.scene.environmentIntensity = dark ? .42 : .46;
+    this.sky.intensity = dark ? .25 : .3;
+    if (this.ground) this.scene.remove(this.ground);
+    this.ground = ground(this.extent, dark, this.land);
+    this.scene.add(this.ground);
   }
 
   control() {

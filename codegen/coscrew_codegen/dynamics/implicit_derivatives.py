@@ -23,6 +23,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics import gradients
 from coscrew_codegen.dynamics.algorithms import energies, forward, kicks, rnea_derivatives
 from coscrew_codegen.dynamics.algorithms.linear_systems import LeafFactors, factored_from_leaves
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces import effect_derivatives
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_derivatives import Delays, differentiated
@@ -33,7 +34,7 @@ from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 
 Row = Sequence[Number]
 Rows = Sequence[Row]
-WeightsOf = Callable[[Number], forward.Weights]
+WeightsOf = Callable[[Number], Weights]
 BY = ("q", "v", "tau", "p")
 """The inputs by which accelerations are differentiated, as far as they take them."""
 
@@ -42,7 +43,7 @@ def program(x: FunctionRecording, weights: WeightsOf, passes: int) -> Program | 
     """The derivatives of an acceleration by each input of BY that it takes, after one pass or two,
     in a recording of its inputs; None if forces on points, between bodies or on sums of coordinates
     are implicit, damping depends on later velocities, a joint's screws depend on q, effects add
-    inertia to bodies, or a free base moves straight on while it drifts."""
+    inertia to bodies, a free base moves straight on while it drifts, or loops are closed."""
     solution = _Solution(x, weights)
     if not solution.at_joints_alone:
         return None
@@ -96,7 +97,7 @@ class _Solution:
                 and not start.looks_ahead and all(len(s.weights) == 1 for s in start.sums)
                 and not any(map(start.resisting, range(len(x.tree.links))))
                 and not any(rigid.added for rigid in x.rigids)
-                and not carries(x.scene))
+                and not carries(x.scene) and not x.scene.model.loops)
 
     def derivatives(self, passes: int) -> Rows:
         """The derivatives of the last pass's accelerations."""

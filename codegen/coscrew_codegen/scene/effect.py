@@ -11,6 +11,7 @@ from typing import Protocol, TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Sign
+from coscrew_codegen.scene.mechanism.collision import Collision
 
 K = TypeVar("K")
 Given = Mapping[str, object]
@@ -196,6 +197,10 @@ class BodyContact:
     resting: Number  # the depth under its load: less than twice that deep it rests
 
 
+MOST_AT_REST = 8
+"""Contacts that share a tree's weight, at most: of a body with many not all touch."""
+
+
 @dataclass(frozen=True)
 class Resting:
     """The load on each contact of a body at rest, in N, and free fall's acceleration; 0 without
@@ -288,11 +293,53 @@ class Force:
     energy: Number | None = None
     power: Number | None = None
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
+    turning: PointSlopes | None = None  # likewise -∂moment/∂ of the angular velocity, with `slopes`
     contact: BodyContact | None = None
     rates: Vector = ()
     bounded: Vector = ()
     share: Number | None = None
     switches: Vector = ()
+
+
+@dataclass(frozen=True)
+class ContactForce:
+    """The force on the first surface, in the world's frame, and what steps need of it."""
+
+    force: Vector
+    energy: Number
+    power: Number
+    across: Slopes
+    along: Slopes
+    rates: Vector
+    bounded: Vector
+    share: Number
+    switches: Vector
+    contact: BodyContact
+    moment: Vector = ()
+    rolling: Slopes | None = None  # -∂moment/∂w across the normal
+    torsional: Slopes | None = None  # and about it
+
+
+@dataclass(frozen=True)
+class TwoBodies:
+    """The states of two bodies, of the effect between them, and the vector from a point of the
+    second to one of the first, in the world's frame."""
+
+    first: BodyState
+    second: BodyState
+    x: Vector
+    apart: Callable[[Vector, Vector], Vector]
+
+
+@dataclass(frozen=True)
+class Between:
+    """A contact of two bodies: the same place in the frame of each, the normal towards the first,
+    and its velocity there relative to the second, both in the world's frame."""
+
+    places: tuple[Vector, Vector]
+    n: Vector
+    u: Vector
+    law: ContactForce
 
 
 @dataclass(frozen=True)
@@ -340,14 +387,18 @@ class Effect:
     body_force: Callable[[BodyState, Values], Force] | None = None
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    bodies_force: Callable[[TwoBodies, Values], Between] | None = None  # contact of two bodies
     states: tuple[StateOf, ...] = ()  # with rates, a lag or a gear among the results of its law
     switches: int = 0  # the number of those among the results of its law
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
     # parts of a body on which it acts; its tables have labels
+    parts_of: Callable[[Given, Collision], Sequence[Given]] | None = None  # of its values and a
+    # shape of the model's file
     completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
     # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them
+    by_angle: bool = False  # on a joint that turns about a point, it acts on the angle from rest
     rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
     # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded

@@ -6,7 +6,8 @@ them.
     EFFECT.JOINT.saturated    1 where its limit takes some of it, else 0
     EFFECT.BODY.force         in the world's axes;  EFFECT.BODY.force.x one component
     EFFECT.BODY.torque        about the body's origin, in the world's axes
-    EFFECT.LABEL.force        between two bodies, positive if it pulls them together
+    EFFECT.LABEL.force        between two bodies, positive if it pulls them together; of a contact
+                              on the first, in the world's axes
     EFFECT.WHERE.power        torque · v, f·v + τ·ω: what it delivers, also out of its own energy
     EFFECT.WHERE.energy       potential energy; of an armature kinetic energy
 
@@ -47,6 +48,8 @@ def _along(applied: Applied, kinds: Mapping[str, JointKind]) -> tuple[str, ...]:
     if applied.terms:
         lengths = any(kinds[x.joint].units("q")[x.coordinate] == "m" for x in applied.terms)
         return ("N",) if lengths else ("N m",)
+    if applied.effect.by_angle and kinds[applied.on].by_angle:
+        return ("N m",)
     return tuple("N m" if unit == "rad/s" else "N" for unit in kinds[applied.on].units("v"))
 
 
@@ -59,6 +62,8 @@ def _units(applied: Applied, kinds: Mapping[str, JointKind]) -> dict[str, tuple[
         results |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
     if effect.pair_force:
         results[FORCE] = ("N",)
+    if effect.bodies_force:
+        results[FORCE] = ("N",) * 3
     if results or effect.gravity:
         results[POWER] = ("W",)
     if effect.stores_energy:
@@ -101,7 +106,7 @@ def _reason(applied: Applied, quantity: str) -> str:
     if quantity == SATURATED:
         return "has no limit that could saturate"
     if applied.effect.place is Place.PAIR:
-        return "acts between two bodies, by a force along the line of their points"
+        return "acts between two bodies, by a force"
     return f"has no {quantity}"
 
 

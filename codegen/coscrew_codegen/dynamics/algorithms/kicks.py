@@ -26,7 +26,8 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
+from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
@@ -49,7 +50,7 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 `check`. At the end of the bounce it is far less."""
 
 
-def weights(h: Number) -> forward.Weights:
+def weights(h: Number) -> Weights:
     """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
 
     Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
@@ -60,7 +61,7 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
-def end_weights(h: Number) -> forward.Weights:
+def end_weights(h: Number) -> Weights:
     """(inertia, torque per velocity) for forces at the end of a step h."""
     return lambda d, k, *_: ((d + k * h) * h, k * h)
 
@@ -211,6 +212,7 @@ class _Closing:
     v: Number
     before: Contact
     after: Contact
+    weights: Mapping[int, Number | Fraction]  # of a sum, by velocity
 
     @property
     def depths(self) -> Number:
@@ -223,14 +225,14 @@ class _Closing:
 
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
-        terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion.tree, terms)
-        return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
+        return forward.row(motion, self.weights or weights_of(motion.tree, (
+            WeightedCoordinate(self.applied.on, 0, Fraction(1)),)))
 
 
 def _part(x: FunctionRecording, applied: Applied, link: int) -> AbstractContextManager[None]:
     if link == SUM:
-        return x.recorder.part(identifiers([applied.label])[0], "own", "sums of coordinates")
+        owner, = identifiers([applied.label or applied.on])
+        return x.recorder.part(owner, "own", "sums of coordinates")
     return x.recorder.part(x.names[link], "own", x.tree.links[link].heading)
 
 
@@ -247,7 +249,8 @@ def _contacts(x: FunctionRecording) -> Iterator[_Closing]:
                 if before:
                     h, = x.recorder.argument("h")
                     after = law(CoordinateState(at.q + h * at.v, at.v, zero, x=own), values)
-                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact))
+                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact),
+                                   at.weights)
 
 
 def _power(x: Number, n: int) -> Number:

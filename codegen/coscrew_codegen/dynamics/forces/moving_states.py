@@ -23,7 +23,7 @@ from coscrew_codegen.algebra.recording.numbers import (
 )
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.forces.rotors import Rotor
-from coscrew_codegen.scene.effect import Force, Torque
+from coscrew_codegen.scene.effect import ContactForce, Force, Torque
 
 _LEAST = Fraction(1, 8)
 """Smallest divisor of rates along the bounds: where these shrink to nothing, so does what x does.
@@ -37,7 +37,7 @@ class MovingStates:
     """The states of an effect, and its law there."""
 
     x: Vector
-    law: Torque | Force
+    law: Torque | Force | ContactForce
     lagging: JointEffect | None = None  # whose torque x is
     rotor: Rotor | None = None  # whose angle and speed x are
 

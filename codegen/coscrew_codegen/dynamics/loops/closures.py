@@ -10,7 +10,7 @@ second link in the first, V = (v; ω) the links' twists and A the rates of their
 The closure φ grows with E v: in m, or the tangent of half an angle, twice, so that it is zero at no
 angle but zero.  Velocities of joints that carry both links have exact zeros in E."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
@@ -127,9 +127,22 @@ class Closure:
     @cached_property
     def rows(self) -> list[Row]:
         """E."""
-        return [self._row(H) for H in self.coscrews]
+        return [self.torques(H) for H in self.coscrews]
 
-    def _row(self, H: Wrench) -> Row:
+    def total(self, multipliers: Mapping[int, Number]) -> Wrench:
+        """The wrench on the first link of the multipliers of rows."""
+        total: Wrench = (*self.motion.zero, *self.motion.zero)
+        with self.part("f"):
+            for k, x in multipliers.items():
+                total = add(total, scaled(x, self.exerted[k]))
+        return total
+
+    def transposed(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ of the multipliers of rows."""
+        return self.torques(self.total(multipliers))
+
+    def torques(self, H: Wrench) -> Row:
+        """The torques of a wrench on the first link and its opposite on the second."""
         row = [self.motion.zero[0]] * self.motion.tree.nv
         first, second = self.links
         _enter(self.motion, first, self.carrier, H, row)
@@ -168,6 +181,16 @@ class Closure:
         first, second = (_twist(self.motion, x) for x in self.links)
         with self.part("V"):
             return first, self.motion.recorder.call("product_Ads", self.between, second)
+
+    def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
+        """A wrench on the first link and its opposite on the second, of the links that move."""
+        first, second = self.links
+        with self.part("f"):
+            if first >= 0:
+                yield first, wrench
+            if second >= 0:
+                call = self.motion.recorder.call
+                yield second, call("product_CoAdinvc", self.between, negative(wrench))
 
     def at_point(self, wrench: Wrench) -> Wrench:
         """A wrench on the first link in the first body's frame, at the loop's point."""

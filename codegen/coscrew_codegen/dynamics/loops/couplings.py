@@ -5,11 +5,11 @@
 with the weighted sums s of the joints and r of their leaders.  They hold no bodies: their forces
 act as torques of the joints do, between the bodies that each connects."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.numbers import Number, scaled
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.forces.acted_coordinates import link_of, sum_of, weights_of
@@ -76,6 +76,15 @@ class Coupling(Closure):
         first = required(self.loop.law).joints[0]
         screw = self.motion.subspace(link_of(self.motion, first.joint))[first.coordinate]
         return [tuple(x * first.weight for x in screw)]
+
+    def transposed(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ."""
+        with self.part("f"):
+            return list(scaled(multipliers[0], self.rows[0]))
+
+    def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
+        """None: joints transmit what it exerts."""
+        return iter(())
 
 
 def closures(motion: Motion, loops: Sequence[ClosedLoop]) -> list[Closure]:

@@ -139,10 +139,10 @@ def _joint(model: "mujoco.MjModel", names: MjcfNames, j: int, parent: str, child
            ) -> Joint:
     kind, name, dof = _KINDS[model.jnt_type[j]], names.joint(j), int(model.jnt_dofadr[j])
     damping, friction = exact([model.dof_damping[dof], model.dof_frictionloss[dof]])
-    if kind in (FREE, SPHERICAL):
-        return Joint(name, kind, parent, child, at, damping=damping or None,
-                     friction=friction or None)
     lower, upper = exact(model.jnt_range[j]) if model.jnt_limited[j] else (None, None)
+    if kind in (FREE, SPHERICAL):
+        return Joint(name, kind, parent, child, at, upper=upper, damping=damping or None,
+                     friction=friction or None)
     effort = exact(model.jnt_actfrcrange[j])[1] if model.jnt_actfrclimited[j] else None
     return Joint(name, kind, parent, child, at, rotations.unit(exact(model.jnt_axis[j])),
                  lower, upper, effort if effort and effort > 0 else None,

@@ -23,7 +23,6 @@ GROUPS: Mapping[str, str] = {
     "tendons": "pulls, and is no sum of joints' coordinates, nor a line between two sites, with "
                "one length at rest",
     "actuators": "exerts forces of its own as no effect does",
-    "ball_joints": "is of a free or ball joint, which no effect limits",
     "polynomials": "is no line in velocity or position, or yields",
     "fluid": "makes forces of a fluid",
     "flexes": "is not rigid",
@@ -80,8 +79,6 @@ def _of_joints(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str,
         if model.dof_dampingpoly[dofs].any() or model.jnt_stiffnesspoly[j].any() or (
                 model.jnt_plasticadr[j] >= 0):
             yield "polynomials", f"damping or stiffness of joint {name!r}"
-        if j not in simple and model.jnt_limited[j]:
-            yield "ball_joints", f"range of joint {name!r}"
 
 
 def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:

@@ -118,9 +118,9 @@ class _Sdf(SdfLoops):
                               "relative_to")
         mass = self.number(inertial, "mass", "1")
         if mass < 0 or not mass and not self.lenient:
-            self.refuse(inertial, f"mass {float(mass):g} kg, in place of which other programs take "
-                                  "1 kg, or none; wanted a positive mass" + (
-                                      f', or implausible = "{WARN}": none' if not mass else ""))
+            remedy = f', or implausible = "{WARN}": none' if not mass else ""
+            self.refuse(inertial, f"mass {float(mass):g} kg, for which other programs take 1 kg, "
+                                  f"or none; wanted a positive mass{remedy}")
         if not mass:
             self.lacking.append(f"body {full!r}: mass 0 kg; taken as a frame without inertia")
             return None

@@ -161,8 +161,9 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
     Key("child", "the body it moves", required=True),
     Key("origin", "its frame in the parent's", "table", table=ORIGIN),
     _axis(0), _axis(1),
-    Key("limits", "limits of its range, torque and speed", "table", table=LIMITS,
-        joints=_one_coordinate),
+    Key("limits", "limits of its range, torque and speed; of a spherical joint `upper`, the "
+        "largest angle by which it turns", "table", table=LIMITS,
+        joints=lambda kind: kind.one_coordinate or kind.by_angle),
     Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
         joints=_moves),
     Key("friction", "in N m or N; acts by [effects.coulomb] or [effects.stribeck]",
