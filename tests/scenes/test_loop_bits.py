@@ -23,8 +23,8 @@ from tests.support.scenes.cuda_runs import compared
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import inputs, same_bits
 
-NAMES = ("closure", "with_closed_loops", "closing_knee", "forward_dynamics", "integrated",
-         "step_leapfrog", "step_rk4")
+NAMES = ("closure", "with_closed_loops", "closing_knee", "reaction_drive", "forward_dynamics",
+         "forward_dynamics_derivatives", "integrated", "step_leapfrog", "step_rk4")
 Made = Callable[[], SceneFunctions]
 
 

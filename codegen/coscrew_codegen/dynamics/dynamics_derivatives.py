@@ -5,6 +5,8 @@ frame and no effect adds inertia, and those of effects, which are added, from th
 Program.  Forward dynamics is not differentiated: with a at these torques,
 
     ∂a/∂q = -M⁻¹ ∂tau/∂q,   ∂a/∂v = -M⁻¹ ∂tau/∂v,   ∂a/∂tau = M⁻¹,   ∂tau of inverse dynamics at a.
+
+With closed loops, at these a and λ, `closed_derivatives` adds what the rows change.
 """
 
 from collections.abc import Sequence
@@ -15,6 +17,7 @@ from coscrew_codegen.dynamics.algorithms.linear_systems import factored_from_lea
 from coscrew_codegen.dynamics.forces import effect_derivatives
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.loops import closed_derivatives
 
 Matrix = list[list[Number]]
 
@@ -38,7 +41,10 @@ def of_forward(x: FunctionRecording) -> tuple[Matrix, ...]:
     motion = x.motion(accelerating=False)
     bias = x.torques(motion, AppliedEffects(x.scene, motion).act())
     M = factored_from_leaves(crba.mass_matrix(motion, x.rigids, x.inertias))
-    dq, dv, mass = of_inverse(x, M.solve(subtract(x.tau, bias)))
+    a = M.solve(subtract(x.tau, bias))
+    if x.scene.model.loops:
+        return closed_derivatives.of_forward(x, motion, a, M, of_inverse)
+    dq, dv, mass = of_inverse(x, a)
     M = factored_from_leaves(mass)
     return (*(_columns([M.solve(negative(column)) for column in zip(*A, strict=True)])
               for A in (dq, dv)), M.inverse())

@@ -42,7 +42,7 @@ def program(x: FunctionRecording, weights: WeightsOf, passes: int) -> Program | 
     """The derivatives of an acceleration by each input of BY that it takes, after one pass or two,
     in a recording of its inputs; None if forces on points, between bodies or on sums of coordinates
     are implicit, damping depends on later velocities, a joint's screws depend on q, effects add
-    inertia to bodies, or a free base moves straight on while it drifts."""
+    inertia to bodies, a free base moves straight on while it drifts, or loops are closed."""
     solution = _Solution(x, weights)
     if not solution.at_joints_alone:
         return None
@@ -96,7 +96,7 @@ class _Solution:
                 and not start.looks_ahead and all(len(s.weights) == 1 for s in start.sums)
                 and not any(map(start.resisting, range(len(x.tree.links))))
                 and not any(rigid.added for rigid in x.rigids)
-                and not carries(x.scene))
+                and not carries(x.scene) and not x.scene.model.loops)
 
     def derivatives(self, passes: int) -> Rows:
         """The derivatives of the last pass's accelerations."""

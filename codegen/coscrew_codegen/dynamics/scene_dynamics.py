@@ -1,7 +1,7 @@
 """Quantities from which functions of scenes are built: poses, twists, torques, momenta, … of one
 recording."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -10,6 +10,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     add,
     rotated,
     rotation,
+    subtract,
     translation,
 )
 from coscrew_codegen.dynamics import (
@@ -31,7 +32,9 @@ from coscrew_codegen.dynamics.algorithms import (
     rnea,
     rnea_derivatives,
 )
+from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.added_inertia import with_coriolis
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
@@ -153,7 +156,12 @@ class RecordedDynamics:
     def coriolis_matrix(self) -> Numbers:
         """C(q, v), row by row."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
-        return _by_rows(rnea_derivatives.coriolis_matrix(self._still, self._recording.rigids))
+        rigids, motion = self._recording.rigids, self._still
+        C = rnea_derivatives.coriolis_matrix(motion, rigids)
+        for link, rigid in enumerate(rigids):
+            if rigid.added:
+                C = with_coriolis(motion, link, Articulated(rigid.added), C)
+        return _by_rows(C)
 
     def torques(self, effects: bool = True) -> Numbers:
         """The torques of inverse dynamics."""
@@ -267,9 +275,15 @@ class RecordedDynamics:
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child."""
-        motion, acting = self._motion, self._acting
-        wrenches = rnea.transmitted(
-            motion, rnea.net_wrenches(motion, self._recording.rigids, acting))
+        x, motion, acting = self._recording, self._motion, self._acting
+        closing: Mapping[int, Numbers] = {}
+        if self.scene.model.loops:
+            rows, its = self._constrained()
+            motion, closing = x.motion(a=its.a), demands.wrenches(rows, its.multipliers)
+            acting = AppliedEffects(self.scene, motion).act()
+        net = rnea.net_wrenches(motion, x.rigids, acting)
+        wrenches = rnea.transmitted(motion, [
+            subtract(f, closing[n]) if n in closing else f for n, f in enumerate(net)])
         return wrenches[self._tree.links.index(self._tree.link_of(joint))]
 
     def of_effect(self, applied: Applied) -> Values:

@@ -18,6 +18,7 @@ from coscrew_codegen.program.interpreter import exactly
 DIGITS = 60
 """Decimal digits of constants that are not short fractions: far beyond double precision."""
 
+_OF_ZERO = {Op.ADD, Op.MUL, Op.SCALE}
 _ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
 _LONGEST = 1 << 1200
 _CANCELLED = 120
@@ -67,10 +68,20 @@ def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
 
 
 def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
+    if op in _OF_ZERO and (result := _of_zero(op, *operands)):
+        return result
     double = _evaluated(op, tuple(x.double for x in operands))
     if all(x.single is x.double or x.single == x.double for x in operands):
         return Constant(double, double)
     return Constant(double, _evaluated(op, tuple(x.single for x in operands)))
+
+
+def _of_zero(op: Op, a: Constant, b: Constant) -> Constant | None:
+    """Returns 0 b = 0, or a + 0 = a, the most frequent of all operations: without arithmetic."""
+    for x, y in ((a, b), (b, a)):
+        if not (x.double.numerator or x.single.numerator) and (op is not Op.ADD or not y.name):
+            return y if op is Op.ADD else _ZERO
+    return None
 
 
 def _negative(x: Constant) -> Constant:

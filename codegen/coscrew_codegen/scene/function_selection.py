@@ -72,9 +72,9 @@ def _possible(scene: Scene, functions: Iterable[SceneFunction]) -> tuple[str, ..
 
 
 def ignores_loops(x: SceneFunction) -> bool:
-    """Returns whether a function is wrong where loops are closed: one of the open tree, or the
-    derivative of one that solves for accelerations."""
-    return x.of_tree or bool(x.differentiates and x.differentiates.divides)
+    """Returns whether a function, or the one that it differentiates, is wrong where loops are
+    closed."""
+    return x.of_tree or bool(x.differentiates and x.differentiates.of_tree)
 
 
 def dividing(scene: Scene, functions: Collection[str] = ()) -> tuple[str, ...]:

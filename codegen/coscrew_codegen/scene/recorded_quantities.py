@@ -173,7 +173,7 @@ def _of_function(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     return Recorded(text, quantity, target, picked, columns, units,
                     function.names(scene)[target] if function.targets else function.name,
                     tuple(tuple(first + place for place in several) for several in places),
-                    "a" in function.takes)
+                    "a" in function.within(scene).takes)
 
 
 def _of_effect(text: str, scene: Scene) -> Recorded:

@@ -306,6 +306,7 @@ class SceneFunction:
     step: Integrator | None = None  # whose step it is
     shown: bool = False  # whether `coscrew cost` shows what each effect adds to it
     judged: bool = False  # whether `coscrew check` judges its rounding
+    closed: "SceneFunction | None" = None  # in its place where loops are closed
     of_tree: bool = False  # wrong where loops are closed, so that such a scene cannot have it
 
     def __post_init__(self) -> None:
@@ -360,8 +361,14 @@ class SceneFunction:
         """Says why a scene cannot have it; "" if it can."""
         return self.lacks(its) if self.lacks else ""
 
+    def within(self, scene: Scene) -> "SceneFunction":
+        """The function, or the one in its place where the scene's loops are closed."""
+        return self.closed if self.closed and scene.model.loops else self
+
     def of(self, scene: Scene) -> tuple["SceneFunction", ...]:
         """The function, or the members of the family that a scene has."""
+        if self.within(scene) is not self:
+            return self.within(scene).of(scene)
         if self.members:
             return self.members(self, scene)
         if not self.targets:

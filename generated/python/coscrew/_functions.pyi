@@ -22,6 +22,7 @@ class NamedFunctions(Steps[Real]):
     forward_dynamics: Function[Real]
     forward_dynamics_derivatives: Function[Real]
     mass_matrix: Function[Real]
+    coriolis_matrix: Function[Real]
     bias_torques: Function[Real]
     gravity_torques: Function[Real]
     energy: Function[Real]

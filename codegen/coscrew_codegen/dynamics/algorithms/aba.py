@@ -6,6 +6,7 @@ by its articulated inertia, and no term contains a velocity.
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any, TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
@@ -22,6 +23,7 @@ from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench, along, to_parent
 
+Made = TypeVar("Made")
 Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
 Joint = Callable[[int, Number], tuple[Number, Number]]
 """(number of a velocity, articulated inertia along it) -> (torque along it, additional inertia)."""
@@ -99,29 +101,43 @@ def _symmetric(entry: Callable[[int, int], Number]) -> Articulated:
 
 
 @dataclass(frozen=True)
-class Freed:
-    """A joint's freedoms with the articulated inertia of its link."""
+class Held:
+    """A joint's freedoms and the articulated inertia along them, before anything else resists."""
 
     S: tuple[tuple[Number, ...], ...]  # screws of the freedoms, six numbers each
     U: tuple[Column, ...]  # A S, a column per freedom
+    D: tuple[tuple[Number, ...], ...]  # S^T A S
+
+
+@dataclass(frozen=True)
+class Freed:
+    """A joint's freedoms with the articulated inertia of its link."""
+
+    S: tuple[tuple[Number, ...], ...]
+    U: tuple[Column, ...]
     D: Factors  # of S^T A S + inertias of the joint
-    torques: tuple[Number, ...]  # along the freedoms
     W: tuple[Column, ...]  # U D^-1
     axes: frozenset[int]  # components that are freedoms, of joints without additional inertia
     zero: Number
 
 
-def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed:
-    """The joint of a link, with its torques and additional inertias."""
+def _held(motion: Motion, number: int, body: Articulated) -> Held:
+    """The joint of a link with this articulated inertia."""
     zero, S = motion.zero[0], motion.subspace(number)
     with motion.part(number, "S"):
         U = tuple(body.times(s) for s in S)
         for column in U:
             _label_column(motion, "S", column)
     with motion.part(number, "D"):
-        D = [[_sum(zero, (s[k] * u[k] for k in range(6))) for u in U] for s in S]
-        own = [joint(k, D[i][i]) for i, k in enumerate(motion.tree.links[number].v)]
-        for k, (_, inertia) in enumerate(own):
+        D = tuple(tuple(_sum(zero, (s[k] * u[k] for k in range(6))) for u in U) for s in S)
+    return Held(S, U, D)
+
+
+def _freed(motion: Motion, number: int, held: Held, inertias: Sequence[Number]) -> Freed:
+    """The joint with additional inertias."""
+    S, U, D = held.S, held.U, [list(row) for row in held.D]
+    with motion.part(number, "D"):
+        for k, inertia in enumerate(inertias):
             D[k][k] = D[k][k] + inertia
         factors = factored(D)
         for i, inverse_of_pivot in enumerate(factors.inverse):
@@ -131,9 +147,9 @@ def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed
         W = tuple(zip(*(factors.solve([u[i] for u in U]) for i in range(6)), strict=True))
         for column in W:
             _label_column(motion, "K", column)
-    pure = all(inertia.is_zero for _, inertia in own)
+    pure = all(inertia.is_zero for inertia in inertias)
     axes = [k for s in S for k in [_along_axis(s)] if k is not None] if pure else ()
-    return Freed(S, U, factors, tuple(torque for torque, _ in own), W, frozenset(axes), zero)
+    return Freed(S, U, factors, W, frozenset(axes), motion.zero[0])
 
 
 def _along_axis(screw: Column) -> int | None:
@@ -147,39 +163,79 @@ def _label_column(motion: Motion, symbol: str, column: Column) -> None:
     motion.recorder.label(f"{symbol}a", angular(column))
 
 
-def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Sequence[Wrench],
-                  joint: Joint) -> list[Number]:
-    """a, from the links' inertias `bodies` and the `wrenches` of the motion with a = 0."""
-    links, body, wrench = motion.tree.links, list(bodies), list(wrenches)
-    joints: list[tuple[Freed, list[Number]]] = []
-    for number in reversed(range(len(links))):
-        free = freed(motion, number, body[number], joint)
-        with motion.part(number, "u"):
-            rest = [torque - x for torque, x in
-                    zip(free.torques, along(motion, number, wrench[number]), strict=True)]
-            for value in rest:
-                motion.recorder.label("u", value)
-        joints.append((free, rest))
-        if links[number].parent >= 0:
-            _add_to_parent(motion, number, free, rest, body, wrench)
-    return _outwards(motion, joints[::-1])
+class Elimination:
+    """Accelerations of links with the inertias `bodies`, by elimination from the leaves inwards.
+    What depends on inertias alone is recorded once."""
+
+    def __init__(self, motion: Motion, bodies: Sequence[Articulated]):
+        self._motion, self._bodies = motion, bodies
+        self._known: dict[object, Any] = {}
+
+    def accelerations(self, wrenches: Sequence[Wrench], joint: Joint) -> list[Number]:
+        """a, from the `wrenches` of the motion with a = 0."""
+        motion, links = self._motion, self._motion.tree.links
+        body, wrench = list(self._bodies), list(wrenches)
+        joints: list[tuple[Freed, list[Number]]] = []
+        for number in reversed(range(len(links))):
+            free, torques, parent = *self._free(number, body[number], joint), links[number].parent
+            with motion.part(number, "u"):
+                rest = [torque - x for torque, x in
+                        zip(torques, along(motion, number, wrench[number]), strict=True)]
+                for value in rest:
+                    motion.recorder.label("u", value)
+            joints.append((free, rest))
+            if parent >= 0:
+                beyond = self._once((number, id(free)), self._beyond, number, body[number], free)
+                body[parent] = self._once((parent, id(body[parent]), id(beyond)), self._joined,
+                                          parent, body[parent], beyond)
+                _add_to_parent(motion, number, free, rest, wrench)
+        return _outwards(motion, joints[::-1])
+
+    def _free(self, number: int, body: Articulated, joint: Joint
+              ) -> tuple[Freed, tuple[Number, ...]]:
+        """The joint of a link, and the torques along it."""
+        motion = self._motion
+        held = self._once((number, id(body)), _held, motion, number, body)
+        with motion.part(number, "D"):
+            own = [joint(k, held.D[i][i]) for i, k in enumerate(motion.tree.links[number].v)]
+        torques, inertias = zip(*own, strict=True) if own else ((), ())
+        free = self._once((number, id(held), tuple(x.operand for x in inertias)), _freed, motion,
+                          number, held, inertias)
+        return free, torques
+
+    def _beyond(self, number: int, body: Articulated, free: Freed) -> Articulated:
+        """The inertia beyond a joint, in the parent's frame."""
+        with self._motion.part(number, "Ap"):
+            beyond = body.without(free).transformed(self._motion.frame(number))
+            beyond.label(self._motion, "Ap")
+        return beyond
+
+    def _joined(self, parent: int, body: Articulated, beyond: Articulated) -> Articulated:
+        """The parent's inertia with that beyond a joint."""
+        with self._motion.part(parent, "A"):
+            total = body.plus(beyond)
+            total.label(self._motion, "A")
+        return total
+
+    def _once(self, key: object, made: Callable[..., Made], *given: Any) -> Made:
+        """The value of a key; it is kept with what it is made of, whose identities are keys."""
+        if key not in self._known:
+            self._known[key] = made(*given), given
+        result: Made = self._known[key][0]
+        return result
 
 
 def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
-             body: list[Articulated], wrench: list[Wrench]) -> None:
-    """Add the inertia and the wrench beyond the joint to its parent's."""
+                   wrench: list[Wrench]) -> None:
+    """Adds the wrench beyond the joint to its parent's."""
     parent = motion.tree.links[number].parent
-    with motion.part(number, "Ap"):
-        beyond = body[number].without(joint).transformed(motion.frame(number))
-        beyond.label(motion, "Ap")
-    with motion.part(parent, "A"):
-        body[parent] = body[parent].plus(beyond)
-        body[parent].label(motion, "A")
     with motion.part(number, "fB"):
         transmitted = wrench[number]
         for w, r in zip(joint.W, rest, strict=True):
             transmitted = tuple(x + y * r for x, y in zip(transmitted, w, strict=True))
         rnea.label(motion, "fB", "mB", transmitted)
+    if all(x.is_zero for x in transmitted):
+        return
     in_parent = to_parent(motion, number, transmitted)
     with motion.part(parent, "fA"):
         wrench[parent] = add(wrench[parent], in_parent)

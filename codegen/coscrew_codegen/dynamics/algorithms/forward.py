@@ -286,7 +286,8 @@ def _solver(motion: Motion, inertias: OwnInertias, rigids: Sequence[Rigid],
         for row in rows:
             with motion.part(row.link, "B"):
                 bodies[row.link] = bodies[row.link].with_row(row.mass, row.e)
-        return lambda joint, wrenches: aba.accelerations(motion, bodies, wrenches, joint)
+        eliminated = aba.Elimination(motion, bodies)
+        return lambda joint, wrenches: eliminated.accelerations(wrenches, joint)
     M = crba.mass_matrix(motion, rigids, inertias.coupling)
     for row in rows:
         with motion.recorder.part("solution", heading="M a = tau"):

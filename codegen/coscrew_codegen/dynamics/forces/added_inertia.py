@@ -7,10 +7,14 @@ places, and the rates of their components in the link's frame, the link needs th
 
 Since [ad]*(V) M V does no work in fluid at rest, M is counted as the body's own with the energy
 V·M V/2; what is left of the wrench's power, with V' = 0, is the work of wind.
+
+In fluid at rest V = J v, so the Coriolis matrix is J^T (M J' + B J), with B X = [ad]*(X) M V.  B is
+skew-symmetric, and so is (J^T M J)' less twice that matrix.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
@@ -26,11 +30,14 @@ from coscrew_codegen.algebra.recording.numbers import (
 )
 from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms.aba import Articulated
-from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.motion import Motion, Twist
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
+from coscrew_codegen.dynamics.algorithms.screw_rates import subspace_rates
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
+
+Matrix = list[list[Number]]
 
 
 @dataclass(frozen=True)
@@ -87,9 +94,56 @@ def power_of_stream(motion: Motion, link: int, M: Articulated, stream: Stream) -
     return -motion.recorder.call("dot_cs", needed, (*v, *w))[0]
 
 
+def with_coriolis(motion: Motion, link: int, M: Articulated, C: Matrix) -> Matrix:
+    """C with the Coriolis matrix of the inertia that is added to a link, in fluid at rest."""
+    momentum, total = M.times(motion.twist(link)), [list(row) for row in C]
+    every = list(_freedoms(motion, link))
+    with motion.part(link, "C"):
+        for column in every:
+            needed = add(M.times(column.rate), _turned(column.screw, momentum))
+            for row in every:
+                value = motion.recorder.call("dot_cs", needed, row.screw)[0]
+                own = total[row.velocity]
+                own[column.velocity] = own[column.velocity] + value * (row.times * column.times)
+    return total
+
+
+@dataclass(frozen=True)
+class _Freedom:
+    """A freedom that moves a link: its velocity is a multiple of one of the scene's, its screw and
+    the rate of its components are in the link's frame."""
+
+    velocity: int
+    times: Fraction | int
+    screw: Twist
+    rate: Twist
+
+
+def _freedoms(motion: Motion, link: int) -> Iterator[_Freedom]:
+    """The freedoms from a link inwards: X' = (V_joint - V) × X + S', moved to the link's frame."""
+    call, links, number, moved = motion.recorder.call, motion.tree.links, link, motion.zero
+    D = displacement(motion.recorder.numbers([int(i % 4 == 0) for i in range(9)]), moved)
+    while number >= 0:
+        own, driver = links[number], links[number].driver
+        with motion.part(link, "J"):
+            U = subtract(call("product_Adinvs", D, motion.twist(number)), motion.twist(link))
+            screws = zip(motion.subspace(number), subspace_rates(motion, number), strict=True)
+            for k, screw_and_rate in enumerate(screws):
+                X, S = (call("product_Adinvs", D, x) for x in screw_and_rate)
+                rate: Twist = add(call("cross_ss", U, X), S)
+                yield _Freedom(links[driver.link].v.start if driver else own.v.start + k,
+                               driver.multiplier if driver else 1, X, rate)
+            D = call("product_dd", motion.frame(number), D)
+        number = own.parent
+
+
 def _wrench(M: Articulated, twist: Sequence[Number], rate: Sequence[Number]) -> Wrench:
     """M V' + [ad]*(V) M V."""
     momentum, needed = M.times(tuple(twist)), M.times(tuple(rate))
+    return add(needed, _turned(twist, momentum))
+
+
+def _turned(twist: Sequence[Number], momentum: Sequence[Number]) -> Wrench:
+    """[ad]*(V) (p; L)."""
     p, L, v, w = linear(momentum), angular(momentum), linear(twist), angular(twist)
-    return (*add(linear(needed), cross(w, p)),
-            *add(angular(needed), add(cross(w, L), cross(v, p))))
+    return (*cross(w, p), *add(cross(w, L), cross(v, p)))

@@ -112,11 +112,6 @@ class Closure:
             pure = units if kind is FRAME else self._axes[1:] if kind is HINGE else []
             return [*((*x, *cross(point, x)) for x in units), *((*zero, *x) for x in pure)]
 
-    @property
-    def exerted(self) -> list[Wrench]:
-        """The wrench on the first link, in its frame, of a multiplier of 1 of each row."""
-        return self.coscrews
-
     @cached_property
     def _axes(self) -> tuple[Vector, ...]:
         """A hinge's axis and two across it, in the first link's frame."""
@@ -127,9 +122,10 @@ class Closure:
     @cached_property
     def rows(self) -> list[Row]:
         """E."""
-        return [self._row(H) for H in self.coscrews]
+        return [self.torques(H) for H in self.coscrews]
 
-    def _row(self, H: Wrench) -> Row:
+    def torques(self, H: Wrench) -> Row:
+        """The torques of a wrench on the first link and its opposite on the second."""
         row = [self.motion.zero[0]] * self.motion.tree.nv
         first, second = self.links
         _enter(self.motion, first, self.carrier, H, row)
@@ -168,6 +164,16 @@ class Closure:
         first, second = (_twist(self.motion, x) for x in self.links)
         with self.part("V"):
             return first, self.motion.recorder.call("product_Ads", self.between, second)
+
+    def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
+        """A wrench on the first link and its opposite on the second, of the links that move."""
+        first, second = self.links
+        with self.part("f"):
+            if first >= 0:
+                yield first, wrench
+            if second >= 0:
+                call = self.motion.recorder.call
+                yield second, call("product_CoAdinvc", self.between, negative(wrench))
 
     def at_point(self, wrench: Wrench) -> Wrench:
         """A wrench on the first link in the first body's frame, at the loop's point."""

@@ -5,7 +5,9 @@ from collections.abc import Sequence
 from coscrew_codegen.algebra.recording.numbers import Number, add, equal, negative, scaled, where
 from coscrew_codegen.dynamics.algorithms import coordinates, forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.loops.closures import Closure
 from coscrew_codegen.dynamics.loops.multipliers import Compliance, ConstraintRows, Demand
 
 
@@ -49,12 +51,38 @@ def wrench(rows: ConstraintRows, multipliers: Sequence[Number], loop: str) -> li
     """Σ H̄ λ of one loop: (force; moment) on its first body, in the body's frame, at the loop's
     point."""
     closure = next(x for x in rows.closures if x.loop.name == loop)
-    total = (*closure.motion.zero, *closure.motion.zero)
-    for (n, k), x in zip(rows.places, multipliers, strict=True):
-        if rows.closures[n] is closure:
-            total = add(total, scaled(x, closure.exerted[k]))
+    total = _total(rows, multipliers, closure)
     with closure.part("f"):
         return list(closure.at_point(total))
+
+
+def wrenches(rows: ConstraintRows, multipliers: Sequence[Number]) -> dict[int, Wrench]:
+    """The sums of the wrenches that closures exert on links."""
+    results: dict[int, Wrench] = {}
+    for closure in rows.closures:
+        for link, own in closure.on_links(_total(rows, multipliers, closure)):
+            results[link] = add(results[link], own) if link in results else own
+    return results
+
+
+def torques(rows: ConstraintRows, multipliers: Sequence[Number]) -> list[Number]:
+    """E^T λ."""
+    total = [multipliers[0].like(0)] * rows.closures[0].motion.tree.nv
+    for closure in rows.closures:
+        own = closure.torques(_total(rows, multipliers, closure))
+        with closure.part("f"):
+            total = list(add(total, own))
+    return total
+
+
+def _total(rows: ConstraintRows, multipliers: Sequence[Number], closure: Closure) -> Wrench:
+    """Σ H̄ λ of one loop, on its first link."""
+    total: Wrench = (*closure.motion.zero, *closure.motion.zero)
+    with closure.part("f"):
+        for (n, k), x in zip(rows.places, multipliers, strict=True):
+            if rows.closures[n] is closure:
+                total = add(total, scaled(x, closure.coscrews[k]))
+    return total
 
 
 def _rows(x: FunctionRecording, motion: Motion) -> ConstraintRows | None:

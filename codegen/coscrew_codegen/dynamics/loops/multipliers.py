@@ -7,7 +7,7 @@ ConstraintRows E hold at M a = τ + E^T λ with E a = -g:
 The rows may depend on each other, always or at singular positions.  So W is regularized by a
 diagonal ε, and three proximal steps x += (W + ε)⁻¹ (b - W x) remove what ε changes: they converge
 to the solution of least norm, and refine the rounding of the factors.  ε is 1e-10 of the trace of
-the loop's own W (1e-6 in single precision), so that light loops do not soften heavy ones; lengths
+the loop's own W (1e-4 in single precision), so that light loops do not soften heavy ones; lengths
 and angles are weighed by the model's length."""
 
 from collections.abc import Callable, Sequence
@@ -27,7 +27,7 @@ from coscrew_codegen.scene.mechanism.model import Model, value
 Unit = Callable[[Row], list[Number]]
 """e -> M⁻¹ e."""
 
-EPSILON = Constant(Fraction(1, 10**10), Fraction(1, 10**6), "proximal")
+EPSILON = Constant(Fraction(1, 10**10), Fraction(1, 10**4), "proximal")
 """ε in double and in single precision, relative to the trace of a loop's W."""
 STEPS = 3
 """Proximal steps."""
@@ -141,7 +141,10 @@ class Demand:
 
     def met(self, a: Sequence[Number], unit: Unit) -> Constrained:
         """The accelerations that meet it, from those without the loops."""
-        compliance = Compliance(self.rows, unit)
+        return self.solved(a, Compliance(self.rows, unit))
+
+    def solved(self, a: Sequence[Number], compliance: Compliance) -> Constrained:
+        """The accelerations that meet it, by the factors of W."""
         with _part(self.rows, "b"):
             missing = [-(x + g) for x, g in zip(self.rows.along(a), self.g, strict=True)]
         multipliers = compliance.solve(missing)

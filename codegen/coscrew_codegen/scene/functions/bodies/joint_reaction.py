@@ -1,4 +1,9 @@
-"""Reactions of joints: the wrenches that they transmit."""
+"""Reactions of joints: the wrenches that they transmit.
+
+Where loops are closed, accelerations do not determine them: torques do, since closures share the
+load."""
+
+from dataclasses import replace
 
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.scene import Scene
@@ -23,10 +28,13 @@ def _wanted(scene: Scene, joint: str) -> bool:
     return any(x.effect.reaction and x.on == joint for x in scene.effects)
 
 
-FUNCTION = SceneFunction(
+_OF_TREE = SceneFunction(
     "reaction_JOINT", 120, "f = (force; moment) that JOINT exerts on its child, in the frame of "
     "the body, at its origin, while it accelerates with a", "q v a",
     (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: [x.transmitted(x.target)],
     Depends.EFFECTS, Default("by default, for joints with the effect reaction, and those whose "
                              "reaction is recorded", _wanted),
-    (SceneQuantity("reaction", Of.JOINT),), targets=_moving, of_tree=True)
+    (SceneQuantity("reaction", Of.JOINT),), targets=_moving)
+FUNCTION = replace(_OF_TREE, closed=replace(
+    _OF_TREE, inputs="q v tau", divides=True, words=_OF_TREE.words.replace(
+        "while it accelerates with a", "under torques tau, with its loops closed")))

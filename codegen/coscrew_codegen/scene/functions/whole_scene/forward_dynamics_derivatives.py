@@ -13,4 +13,4 @@ FUNCTION = SceneFunction(
         Array("da_dq", _SQUARE, units.accelerations_by_displacements),
         Array("da_dv", _SQUARE, units.accelerations_by_velocities),
         Array("da_dtau", _SQUARE, units.accelerations_by_torques)),
-    lambda x: x.acceleration_derivatives(), Depends.EFFECTS, divides=True, of_tree=True)
+    lambda x: x.acceleration_derivatives(), Depends.EFFECTS, divides=True)
