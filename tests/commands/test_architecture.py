@@ -106,7 +106,7 @@ def test_texts_become_python_by_imports_and_no_stack_is_walked():
 
 
 _DERIVES = ("dynamics", "scene.scene", "scene.mechanism", "scene.readers", "scene.effects",
-            "algebra.lowering.kernel", "algebra.lowering.passes", "algebra.lowering.schedule")
+            "algebra.lowering.kernel", "algebra.lowering.schedule")
 _LANGUAGES = ("backends.c", "backends.cuda", "backends.numpy", "backends.python_extension",
               "backends.scene")
 MUST_NOT_KNOW = {

@@ -26,8 +26,9 @@ from coscrew_codegen.reports.cost.cost_measurement import measure
 from coscrew_codegen.reports.cost.cost_request import CostRequest
 from coscrew_codegen.reports.cost.effect_ablation import SHOWN, parts
 from coscrew_codegen.reports.cost.exact_run import exact_end
-from coscrew_codegen.reports.cost.figures.cost_figure import _accuracy, _bars, plot
-from coscrew_codegen.reports.cost.figures.cost_tables import others, table
+from coscrew_codegen.reports.cost.figures import cost_page
+from coscrew_codegen.reports.cost.figures.cost_figure import _bars, _ends, plot
+from coscrew_codegen.reports.cost.figures.cost_page import others
 from coscrew_codegen.reports.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.reports.cost.work_precision import Point, ReferenceRun, error, reference
 from coscrew_codegen.reports.timing.intervals import Interval
@@ -220,7 +221,7 @@ def test_single_precision_is_no_more_accurate_than_it_can_be(costs):
 # what is shown
 
 def test_the_table_holds_what_was_measured(costs):
-    text = table(costs)
+    text = cost_page.page(costs, "").text()
     for row in costs.rows:
         assert row.function in text and row.part in text
     for point in costs.points:
@@ -239,9 +240,12 @@ def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(co
     ids = [x.get("id") for x in root.iter() if x.get("id")]
     drawn = {f"{x.integrator} {x.precision}" for x in costs.points}
     assert drawn <= set(ids)
-    bars = [x for x in ids if x.endswith(("-double-ns", "-single-ns"))]
-    assert sorted(bars) == sorted(f"{x.part}-{p.name}-ns" for x in costs.rows for p in PRECISIONS
-                                  if x.function == "forward_dynamics")
+    axes = Figure().subplots()
+    _bars(axes, costs)
+    rows = [x for x in costs.rows if x.function == "forward_dynamics"]
+    bars = [*axes.containers[0], *axes.containers[2]]
+    assert [x.get_width() for x in bars] == [x.times[i].median for i, _ in enumerate(PRECISIONS)
+                                             for x in rows]
     causes = {f"{x.cause}: {x.of}" for x in costs.run_errors.rows}
     assert len(causes) > 6 and causes <= set(ids)
 
@@ -261,7 +265,8 @@ def rough(costs):
 
 
 def test_runs_better_than_the_reference_are_not_called_best(rough):
-    rows = [x.split() for x in table(rough).splitlines() if x.startswith(("rk4 ", "dop853 "))]
+    rows = [x.split() for x in cost_page.page(rough, "").text().splitlines()
+            if x.startswith(("rk4 ", "dop853 "))]
     assert [x[7:] for x in rows] == [["*"], ["<"], ["<"], []]
 
 
@@ -269,7 +274,8 @@ def test_a_run_is_best_unless_another_ones_interval_lies_below(rough):
     """At 1.1 times the time the intervals overlap, and no run is called best."""
     near = replace(rough, points=(point("rk4", 1e-5, 1e-6), point("rk4", 1.1e-5, 1e-6),
                                   point("rk4", 1.6e-5, 1e-6)))
-    marks = [x.split()[7:] for x in table(near).splitlines() if x.startswith("rk4 ")]
+    marks = [x.split()[7:] for x in cost_page.page(near, "").text().splitlines()
+             if x.startswith("rk4 ")]
     assert marks == [["*"], ["*"], []]
 
 
@@ -277,21 +283,18 @@ def test_runs_better_than_the_reference_are_hollow(rough, tmp_path):
     plot(rough, tmp_path / "costs.svg")
     root = ElementTree.parse(tmp_path / "costs.svg").getroot()
     groups = {x.get("id"): x for x in root.iter() if x.get("id")}
-    used = {name: len([x for x in groups[name].iter() if x.tag.endswith("}use")])
-            for name in ("rk4 double runs", "rk4 double hollow", "dop853 double runs")}
-    assert used == {"rk4 double runs": 1, "rk4 double hollow": 2, "dop853 double runs": 1}
-    assert {"rk4 double interval", "dop853 double interval"} <= set(groups)
-    fills = {name: next(x.get("style") for x in groups[name].iter() if x.tag.endswith("}use"))
-             for name in used}
-    assert "fill: #ffffff" in fills["rk4 double hollow"]
-    assert "fill: #ffffff" not in fills["rk4 double runs"]
+    fills = {name: next(y.get("style") for y in groups[name].iter() if y.tag.endswith("}use"))
+             for name in (f"{x.integrator} double {x.error:g}" for x in rough.points)}
+    assert [name for name, style in fills.items() if "fill: #ffffff" in style] == [
+        "rk4 double 3e-10", "rk4 double 2e-11"]
+    assert {f"{name} interval" for name in fills} <= set(groups)
     assert "reference" in groups
 
 
 def test_the_legend_covers_no_curve(rough):
     figure = Figure(figsize=(13, 4.6), layout="constrained")
     axes = figure.subplots()
-    _accuracy(axes, rough)
+    _ends(axes, rough)
     figure.draw_without_rendering()
     legend, panel = axes.get_legend().get_window_extent(), axes.get_window_extent()
     assert legend.y1 <= panel.y0

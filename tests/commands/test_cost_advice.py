@@ -12,8 +12,8 @@ from matplotlib.transforms import Bbox
 
 from coscrew_codegen.backends.html.plots import place_labels, styled
 from coscrew_codegen.reports.cost.cost_measurement import Costs
-from coscrew_codegen.reports.cost.figures.cost_tables import about, accuracies
-from coscrew_codegen.reports.cost.figures.panels import panel
+from coscrew_codegen.reports.cost.figures.cost_figure import panel
+from coscrew_codegen.reports.cost.figures.cost_page import about, accuracies
 from coscrew_codegen.reports.cost.function_errors import Bounds, ErrorStatistics, FunctionErrors
 from coscrew_codegen.reports.cost.recommendations import recommended, sentences
 from coscrew_codegen.reports.timing.intervals import Interval
@@ -94,7 +94,7 @@ def with_units(*worst: tuple[str, float]) -> list[FunctionErrors]:
 def test_units_without_errors_have_no_table():
     tables = [*accuracies(with_units(("N m", 1e-6), ("kg", 0), ("N", 2e-6), ("kg m^2", 0)))]
     assert [x.headers[0] for x in tables] == ["inverse_dynamics, N m", "inverse_dynamics, N"]
-    assert [x.below for x in tables] == [(), ("Exact in all choices: kg, kg m².",)]
+    assert [x.notes for x in tables] == [(), ("Exact in all choices: kg, kg m².",)]
     assert "within 1 µN m and 2 µN everywhere" in sentences(
         with_units(("N m", 1e-6), ("kg", 0), ("N", 2e-6)))[0]
     (alone,) = accuracies(with_units(("kg", 0), ("kg m^2", 0)))

@@ -16,6 +16,7 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.backends.html import plots
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.reports.cost import cost_json, cost_measurement
 from coscrew_codegen.reports.cost.cost_measurement import Costs
@@ -272,14 +273,15 @@ def test_the_load_is_measured():
 
 
 def test_the_page_and_the_figure_show_the_line(costs, tmp_path):
-    text = cost_page.page(costs, "coscrew cost arm.toml")
-    assert text.index('id="needs"') < text.index('id="plots"')
+    page = cost_page.page(costs, "coscrew cost arm.toml")
+    text = page.html()
+    assert text.index("What suffices</h2>") < text.index("<figure>")
     cost_figure.plot(costs, tmp_path / "costs.svg")
     drawn = (tmp_path / "costs.svg").read_text()
     for need in NEEDS:
         assert f'id="{need} line"' in drawn
         assert f"needed: {need.within:g}" in text
-    (axes,) = (x for x in cost_figure.figure(costs).axes
+    (axes,) = (x for x in plots.drawn((*cost_figure.functions(costs),)).axes
                if x.get_title("left") == "inverse_dynamics")
     (line,) = (x for x in axes.lines if str(x.get_gid()).endswith("line"))
     assert [*line.get_ydata()] == [1e-4, 1e-4]

@@ -183,7 +183,8 @@ def test_the_page_of_a_sweep_puts_what_was_asked_for_first(swept):
     are the same in all members named."""
     page = (swept / "summary.html").read_text("utf-8")
     labels = re.findall(r'aria-label="([^"]*)"', page)
-    headings = re.findall(r"<h3>([^<]*)</h3>", page)
+    first, *headings, last = re.findall(r"<h2>([^<]*)</h2>", page)
+    assert (first, last) == ("Distributions and maps", "Recorded quantities")
     assert headings == ["q.pin", "q.fin", "actuator.pin.torque", "actuator.pin.saturated",
                         "energy.total"]
     for name in headings:
@@ -202,7 +203,7 @@ def test_figures_of_a_sweep_stand_in_columns_that_fit(swept, width, columns):
             "width": width, "height": 844, "deviceScaleFactor": 1, "mobile": False})
         browser.get((swept / "summary.html").as_uri())
         left = browser.execute_script("""
-            return [...document.querySelectorAll(".maps:first-of-type figure")].map(figure =>
+            return [...document.querySelectorAll(".figures figure")].map(figure =>
               Math.round(figure.getBoundingClientRect().x));""")
         assert len(set(left)) == columns
         assert browser.execute_script("return document.documentElement.scrollWidth") <= width

@@ -18,7 +18,7 @@ from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.program.program import Constant, Input, Instruction, NotANumber, Ref
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE, PRECISIONS, SINGLE
-from coscrew_codegen.reports.cost.figures.cost_tables import of_run
+from coscrew_codegen.reports.cost.figures.cost_page import of_run
 from coscrew_codegen.reports.cost.run_errors import (
     DIGITS,
     RunError,

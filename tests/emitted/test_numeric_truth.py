@@ -21,8 +21,7 @@ import sympy as sp
 from gmpy2 import is_nan, mpfr
 
 import coscrew
-from coscrew_codegen.algebra.lowering.kernel import Kernel, kernel_of
-from coscrew_codegen.algebra.lowering.passes import simplified
+from coscrew_codegen.algebra.lowering.kernel import Kernel, kernel_of, simplified
 from coscrew_codegen.algebra.operations import Operation
 from coscrew_codegen.backends.c.c_operations import c_name
 from coscrew_codegen.program import Op

@@ -21,7 +21,7 @@ from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import inputs, same_bits
 
 NAMES = ("state_rates", "law_switches", "integrated", "step_rk4", "step_semi_implicit_euler",
-         "step_linear_implicit_euler")
+         "step_linear_implicit_euler", "step_leapfrog", "energy", "power")
 WITHOUT = """
 [bodies]
 ball = { mass = 1, com = [0, 0, 0.01], inertia = [0.004, 0.004, 0.004] }
@@ -39,6 +39,18 @@ mu = 0.5
 [effects.stiction.hinge]
 tau_c = 0.1
 tau_s = 0.2
+[effects.gear.hinge]
+k = 1e4
+rotor = 1e-5
+gear = 50
+[effects.actuator.hinge]
+kind = "pd"
+kp = 30
+kd = 1
+target = "sin(3*t)"
+limit = 5
+speed = 20
+lag = 2e-3
 """
 
 

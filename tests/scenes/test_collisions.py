@@ -10,12 +10,12 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from coscrew_codegen.scene.content import hashed
 from coscrew_codegen.scene.mechanism.collision import PLANE, Collision, Friction
 from coscrew_codegen.scene.mechanism.visual import MESH, Triangles
 from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.scene import hashed
 from tests.support.scenes import robots
 from tests.support.scenes.selecting import checked
 

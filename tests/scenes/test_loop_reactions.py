@@ -35,13 +35,12 @@ def test_joints_transmit_what_outer_wrenches_would_make_them(tmp_path: Path, kin
     state = {"q": at.q, "v": V, "tau": TAU}
     text = path.read_text(encoding="utf-8")
     loop = text[text.index("[loops"):text.index("[effects")]
-    f, outer = at.f.components("closing_closing", **state), ""
-    if kind != "law":  # which acts by torques of the joints
-        point, other = (next(x for x in loop.splitlines() if x.startswith(end)).split(" = ")[1]
-                        for end in ("first", "second"))
-        outer = _wrench("end", point, f)
-        if second != "world":
-            outer += _wrench("other", other, _turned(at, f))
+    point, other = (next(x for x in loop.splitlines() if x.startswith(end)).split(" = ")[1]
+                    for end in ("first", "second"))
+    f = at.f.components("closing_closing", **state)
+    outer = _wrench("end", point, f)
+    if second != "world":
+        outer += _wrench("other", other, _turned(at, f))
     path.write_text(text.replace(loop, "") + outer, encoding="utf-8")
     opened = Evaluated(read_scene(path), MULTIPRECISE)
     a = at.f.components("forward_dynamics", **state)

@@ -185,7 +185,7 @@ class Leg:
 
     @property
     def weights(self) -> list[float]:
-        """Those of the foot and of both cranks."""
+        """The weights of the foot and of both cranks."""
         return [G * self.bodies[f"{self.side}_{x}"]["mass"] for x in ("foot", *RODS)]
 
 

@@ -10,8 +10,8 @@ import scipy.integrate
 
 from coscrew_codegen import again, load_scene, run
 from coscrew_codegen.scene.integrators import EMITTED, NAMES
-from coscrew_codegen.simulation.adaptive import adaptive
 from coscrew_codegen.simulation.plan import plan
+from coscrew_codegen.simulation.solvers.adaptive import adaptive
 from coscrew_codegen.simulation.system import system
 
 MASS, K, D, LEVEL, SPRING = 1.0, 4e4, 100.0, 4.0, 100.0
@@ -97,7 +97,7 @@ def by_another_solver(times: np.ndarray, q: float) -> np.ndarray:
     ("semi-implicit-euler", 2e-5, 1e-4), ("linear-implicit-euler", 2e-5, 1e-2)])
 def test_a_block_sticks_and_slips_as_by_another_solver(made: Made, integrator: str,
                                                        step: float | None, within: float) -> None:
-    """Over two swings, with five changes between slip and hold, until it rests."""
+    """Two swings, with changes between slip and hold."""
     result = run(made(SLIDER + START), until=1, every=0.05, integrator=integrator, step=step,
                  precision="double")
     assert np.abs(result.q[:, 0] - by_another_solver(result.t, 0.3)).max() < within
@@ -115,7 +115,7 @@ def held(t: np.ndarray, q: float) -> np.ndarray:
 
 @pytest.mark.parametrize("integrator, order", [(x.name, x.order) for x in EMITTED])
 def test_orders_are_kept_with_states(made: Made, integrator: str, order: int) -> None:
-    """Where bristles hold, as a damped oscillator."""
+    """A block on bristles that hold is a damped oscillator."""
     q, kernels = 0.01, load_scene(made(SLIDER + "[start.q]\nslide = 0.01\n"),
                                   functions=["step_" + integrator.replace("-", "_")])
     errors = []

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.content import hashed
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.rotations import from_rpy
 from coscrew_codegen.scene.mechanism.visual import Visual, from_rotation
 from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.scene import hashed
 
 LINK = ('<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" '
         'ixz="0" iyz="0"/></inertial>{visuals}</link>')

@@ -74,7 +74,7 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.program.values.formats import BY_NAME
     from coscrew_codegen.reports.cost import cost_json, cost_measurement
     from coscrew_codegen.reports.cost.cost_request import CostRequest
-    from coscrew_codegen.reports.cost.figures import cost_figure, cost_page, cost_tables
+    from coscrew_codegen.reports.cost.figures import cost_figure, cost_page
     from coscrew_codegen.reports.cost.measured import Counts
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation.recordings.recording_writer import FIGURES, check_target
@@ -94,7 +94,7 @@ def run(options: argparse.Namespace) -> int:
         RunOverrides(options.until, options.step, options.integrator, "both",
                      tuple(options.settings)), request)
     tell_unused(read, options.verbose)
-    print(cost_tables.table(costs))
+    print(cost_page.page(costs, _words(options)).text())
     if options.json:
         cost_json.write(costs, options.json, _words(options))
     if options.page:

@@ -39,7 +39,7 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.backends.emit import write
     from coscrew_codegen.backends.selection import operations_named
     from coscrew_codegen.reports.kernels import inputs, kernel_measurement
-    from coscrew_codegen.reports.kernels.pages import ranking, report_page, terminal_summary
+    from coscrew_codegen.reports.kernels.pages import ranking, report_page
 
     if not (math.isfinite(options.minutes) and options.minutes > 0):
         raise ReportError(f"--minutes: wanted a positive number; got {options.minutes}")
@@ -59,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
                                                           Path(options.compare).name))
     write({"report.json": report.to_json()}, folder)
     made = [folder / "report.json", *report_page.write(report, folder, tuple(options.op))]
-    print(terminal_summary.table(report, kernel_measurement.SHOWN))
+    print(report_page.summary(report, kernel_measurement.SHOWN))
     print("\n".join(map(str, made)))
     return 0
 

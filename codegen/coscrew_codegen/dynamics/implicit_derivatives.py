@@ -23,6 +23,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics import gradients
 from coscrew_codegen.dynamics.algorithms import energies, forward, kicks, rnea_derivatives
 from coscrew_codegen.dynamics.algorithms.linear_systems import LeafFactors, factored_from_leaves
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces import effect_derivatives
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_derivatives import Delays, differentiated
@@ -33,7 +34,7 @@ from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 
 Row = Sequence[Number]
 Rows = Sequence[Row]
-WeightsOf = Callable[[Number], forward.Weights]
+WeightsOf = Callable[[Number], Weights]
 BY = ("q", "v", "tau", "p")
 """The inputs by which accelerations are differentiated, as far as they take them."""
 

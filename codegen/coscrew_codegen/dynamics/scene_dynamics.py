@@ -23,7 +23,6 @@ from coscrew_codegen.dynamics.algorithms import (
     centroidal,
     coordinates,
     crba,
-    effect_states,
     energies,
     floating,
     forward,
@@ -34,6 +33,8 @@ from coscrew_codegen.dynamics.algorithms import (
 )
 from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.contacts.contact_values import contact_values
+from coscrew_codegen.dynamics.forces import effect_states
 from coscrew_codegen.dynamics.forces.added_inertia import with_coriolis
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
@@ -331,8 +332,8 @@ class RecordedDynamics:
 
     def implicit_accelerations(self) -> Numbers:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
-        x, acting = self._recording, self._acting
-        h, = self.argument("h")
+        x, (h,) = self._recording, self.argument("h")
+        acting = AppliedEffects(self.scene, self._motion, over=h).act()
         free = forward.implicit(self._motion, acting, x.rigids, x.inertias, kicks.end_weights(h),
                                 x.tau)
         demand = demands.stop(x, self._motion, h)
@@ -374,6 +375,11 @@ class RecordedDynamics:
         """q and v corrected to the momenta c."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return floating.corrected(self._recording, self._roots())
+
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [*contact_values(self._motion, self._acting)]
 
     def closing(self) -> Number:
         """The number of contacts that are closed or close."""

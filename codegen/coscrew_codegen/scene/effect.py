@@ -11,6 +11,7 @@ from typing import Protocol, TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Sign
+from coscrew_codegen.scene.mechanism.collision import Collision
 
 K = TypeVar("K")
 Given = Mapping[str, object]
@@ -107,6 +108,8 @@ class StateOf:
     name: str
     unit: str  # on a joint that turns; its metres stand behind "or", as those of parameters
     words: str
+    of: str = ""  # the parameter without which the effect does not have it
+    starts: str = ""  # q or v: the number of the joint from which it starts instead
 
 
 @dataclass(frozen=True)
@@ -194,6 +197,10 @@ class BodyContact:
     resting: Number  # the depth under its load: less than twice that deep it rests
 
 
+MOST_AT_REST = 8
+"""Contacts that share a tree's weight, at most: of a body with many not all touch."""
+
+
 @dataclass(frozen=True)
 class Resting:
     """The load on each contact of a body at rest, in N, and free fall's acceleration; 0 without
@@ -201,6 +208,16 @@ class Resting:
 
     load: Fraction
     g: Fraction
+
+
+@dataclass(frozen=True)
+class Elastic:
+    """Numbers of an elastic gear: the rotor's inertia, the stiffness and the damping between rotor
+    and joint."""
+
+    inertia: Number
+    stiffness: Number
+    damping: Number
 
 
 @dataclass(frozen=True)
@@ -218,7 +235,10 @@ class Torque:
 
     `rates` are x' of the effect's states.  With a `share`, `bounded` are the states and share times
     these are those within their bounds: a step moves x by its rates, and then puts it there.
-    `switches`: numbers that change their signs where another part of the law begins."""
+    `switches`: numbers that change their signs where another part of the law begins.
+
+    With a `lag` the torque within its limit is what is demanded, and x the torque that acts: x' =
+    (demand - x)/lag.  With `elastic` x are the angle and the speed of a rotor."""
 
     torque: Number | None = None
     limit: Number | None = None
@@ -232,6 +252,8 @@ class Torque:
     bounded: Vector = ()
     share: Number | None = None
     switches: Vector = ()
+    lag: Number | None = None
+    elastic: Elastic | None = None
     ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
     # that is larger: it starts at once, at some speed
 
@@ -271,11 +293,53 @@ class Force:
     energy: Number | None = None
     power: Number | None = None
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
+    turning: PointSlopes | None = None  # likewise -∂moment/∂ of the angular velocity, with `slopes`
     contact: BodyContact | None = None
     rates: Vector = ()
     bounded: Vector = ()
     share: Number | None = None
     switches: Vector = ()
+
+
+@dataclass(frozen=True)
+class ContactForce:
+    """The force on the first surface, in the world's frame, and what steps need of it."""
+
+    force: Vector
+    energy: Number
+    power: Number
+    across: Slopes
+    along: Slopes
+    rates: Vector
+    bounded: Vector
+    share: Number
+    switches: Vector
+    contact: BodyContact
+    moment: Vector = ()
+    rolling: Slopes | None = None  # -∂moment/∂w across the normal
+    torsional: Slopes | None = None  # and about it
+
+
+@dataclass(frozen=True)
+class TwoBodies:
+    """The states of two bodies, of the effect between them, and the vector from a point of the
+    second to one of the first, in the world's frame."""
+
+    first: BodyState
+    second: BodyState
+    x: Vector
+    apart: Callable[[Vector, Vector], Vector]
+
+
+@dataclass(frozen=True)
+class Between:
+    """A contact of two bodies: the same place in the frame of each, the normal towards the first,
+    and its velocity there relative to the second, both in the world's frame."""
+
+    places: tuple[Vector, Vector]
+    n: Vector
+    u: Vector
+    law: ContactForce
 
 
 @dataclass(frozen=True)
@@ -323,11 +387,14 @@ class Effect:
     body_force: Callable[[BodyState, Values], Force] | None = None
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
-    states: tuple[StateOf, ...] = ()  # with rates among the results of its law
+    bodies_force: Callable[[TwoBodies, Values], Between] | None = None  # contact of two bodies
+    states: tuple[StateOf, ...] = ()  # with rates, a lag or a gear among the results of its law
     switches: int = 0  # the number of those among the results of its law
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
     # parts of a body on which it acts; its tables have labels
+    parts_of: Callable[[Given, Collision], Sequence[Given]] | None = None  # of its values and a
+    # shape of the model's file
     completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
     # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them
@@ -336,6 +403,8 @@ class Effect:
     # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded
     limited_by: str = ""  # the parameter that limits its torque, if given
+    drives: bool = False  # it acts on the rotor of a joint that has an elastic gear
+    elastic: bool = False  # it is an elastic gear
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     in_fluid: bool = False  # its force depends on the fluid's motion
@@ -347,4 +416,5 @@ class Effect:
     @property
     def on_sums(self) -> bool:
         """True if it can act on a weighted sum of joints' coordinates."""
-        return self.joint_torque is not None or self.joint_inertia is not None
+        acts = self.joint_torque is not None or self.joint_inertia is not None
+        return acts and not self.elastic

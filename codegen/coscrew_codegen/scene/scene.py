@@ -1,16 +1,18 @@
 """Scene: a model, the effects that act in it, and its run.  Frozen data, no arithmetic."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from enum import Enum
 from fractions import Fraction
 from functools import cached_property
 
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
-from coscrew_codegen.scene.content import hashed
-from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.effect import Effect, StateOf
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
@@ -38,6 +40,11 @@ class Applied:
         """The numbers of a parameter that is a vector."""
         given = self.values[name]
         return tuple(x for x in given if isinstance(x, Scalar)) if isinstance(given, tuple) else ()
+
+    @property
+    def states(self) -> tuple[StateOf, ...]:
+        """Its states with these values."""
+        return tuple(x for x in self.effect.states if not x.of or self.values[x.of] is not None)
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -138,3 +145,33 @@ class Scene:
 def zero(value: Setting) -> bool:
     """Returns whether this is the number zero."""
     return isinstance(value, Fraction) and value == 0
+
+
+def hashed(value: object) -> str:
+    """SHA-256 of everything in a value, such as a scene and its model, independent of the files'
+    layout."""
+    return hashlib.sha256("\n".join(_as_text(value)).encode()).hexdigest()
+
+
+def _as_text(value: object) -> Iterator[str]:
+    """The value as unambiguous text: effects and kinds of joints by name, mappings sorted, exact
+    fractions."""
+    if isinstance(value, Effect | JointKind | Enum):
+        yield f"{type(value).__name__} {value.name}"
+    elif is_dataclass(value):
+        yield type(value).__name__
+        for field in fields(value):
+            empty = "unhashed if empty" in field.metadata and not getattr(value, field.name)
+            if field.compare and not empty:
+                yield field.name
+                yield from _as_text(getattr(value, field.name))
+    elif isinstance(value, Mapping):
+        for key in sorted(value):
+            yield f"key {key}"
+            yield from _as_text(value[key])
+    elif isinstance(value, tuple | list):
+        yield f"{len(value)} entries"
+        for entry in value:
+            yield from _as_text(entry)
+    else:
+        yield repr(value)

@@ -192,6 +192,9 @@ class Dynamics(Protocol):
     def with_closed_loops(self) -> Results:
         """q and v moved onto the closures of loops."""
 
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+
     def state_rates(self) -> Results:
         """x' of effects' states, and q with them within their bounds."""
 

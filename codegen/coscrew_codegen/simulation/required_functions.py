@@ -2,7 +2,14 @@
 
 from collections.abc import Iterable
 
-from coscrew_codegen.scene.function_selection import CONTACTS, FREE, LOOPS, OF_STATES, together
+from coscrew_codegen.scene.function_selection import (
+    ALL_CONTACTS,
+    CONTACTS,
+    FREE,
+    LOOPS,
+    OF_STATES,
+    together,
+)
 from coscrew_codegen.scene.functions.whole_scene.mass_matrix import MANY, speeds
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
@@ -24,7 +31,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
     """Names of the functions that `check` needs."""
     return together(of_run(scene, integrator),
                     ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power",
-                     INTEGRATOR_NAMED[DEFAULT].step_name, *CONTACTS, *FREE),
+                     INTEGRATOR_NAMED[DEFAULT].step_name, ALL_CONTACTS, *CONTACTS, *FREE),
                     *(expected(x.quantity, scene).functions for x in scene.expectations))
 
 

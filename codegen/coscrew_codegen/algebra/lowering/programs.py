@@ -3,8 +3,7 @@
 from dataclasses import replace
 from functools import cache
 
-from coscrew_codegen.algebra.lowering.kernel import kernel_of
-from coscrew_codegen.algebra.lowering.passes import simplified
+from coscrew_codegen.algebra.lowering.kernel import kernel_of, simplified
 from coscrew_codegen.algebra.lowering.schedule import plain
 from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program

@@ -13,7 +13,9 @@ undamped springs keep ½ v·M v + ½ q·K q.  Of second order.  The rows of clos
 E (v0 + v1) = 0, in a third pass.
 
 States of effects, the end of q, move at q_m: x_m = x0 + h/2 x'(v0) before the kick, whose forces
-are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.
+are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.  The kick also changes the
+speeds of rotors behind elastic gears, and what follows with a lag follows the demand at
+(v0 + v1)/2: by h/2 for the kick, by h in all.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,14 +26,17 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
+from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.forces.rotors import Eliminated
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
+from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
@@ -45,7 +50,7 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 `check`. At the end of the bounce it is far less."""
 
 
-def weights(h: Number) -> forward.Weights:
+def weights(h: Number) -> Weights:
     """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
 
     Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
@@ -56,7 +61,7 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
-def end_weights(h: Number) -> forward.Weights:
+def end_weights(h: Number) -> Weights:
     """(inertia, torque per velocity) for forces at the end of a step h."""
     return lambda d, k, *_: ((d + k * h) * h, k * h)
 
@@ -73,18 +78,45 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     v = recorder.argument("v")
     q, carried = _drifted(x, recorder.argument("q"), v), carries(x.scene)
     first = x.motion(at=(q, v), carried=carried)
-    start = AppliedEffects(x.scene, first).act()
+    start = AppliedEffects(x.scene, first, over=h / 2).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     a, demand, later = kicked.a, reflection(x, first, h), delays(x, h, kicked.rates)
     for _ in range(2 if demand else 1):
         a = demand.met(a, kicked.inverse).a if demand else a
-        again = x.motion(at=(q, _sum(v, scaled(h / 2, a))), carried=carried)
-        acting = AppliedEffects(x.scene, again, later).act()
+        again = x.motion(at=(_turned(x, q, a, kicked.rotors, h / 2),
+                             _sum(v, scaled(h / 2, a))),
+                         carried=carried)
+        acting = AppliedEffects(x.scene, again, later, h / 2, _later(x, h, kicked)).act()
         slopes = start.with_later(acting)
         kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, slopes)
         a = kicked.a
     a = demand.met(a, kicked.inverse).a if demand else a
-    return a, _kept(x, q, _sum(v, scaled(h, a)))
+    return a, _moved(x, acting, q, v, a, kicked.rotors)
+
+
+def _moved(x: FunctionRecording, acting: AppliedEffects, q: Sequence[Number], v: Sequence[Number],
+           a: Sequence[Number], rotors: Mapping[int, Eliminated]) -> list[Number]:
+    """q with the effects' states after the kick and h/2 more, within their bounds."""
+    h, = x.recorder.argument("h")
+    if any(own.lagging for own in acting.states):
+        amid = _turned(x, q, a, rotors, h / 2), _sum(v, scaled(h / 2, a))
+        states = AppliedEffects(x.scene, x.motion(at=amid)).act().states
+        followed = (y for own in states for y in own.followed(h))
+        q = [*q[:x.tree.nq], *(new if own.lagging else old for own, old, new in zip(
+            (own for own in states for _ in own.x), q[x.tree.nq:], followed, strict=True))]
+    return _kept(x, _turned(x, q, a, rotors, h), _sum(v, scaled(h, a)))
+
+
+def _turned(x: FunctionRecording, q: Sequence[Number], a: Sequence[Number],
+            rotors: Mapping[int, Eliminated], time: Number) -> list[Number]:
+    """q with the speeds of rotors after a time at the accelerations of the kick."""
+    results, places = list(q), places_of(x.scene)
+    for applied in x.scene.effects:
+        if applied.effect.elastic:
+            k, place = x.tree.link_of(applied.on).v.start, x.tree.nq + places[applied.name].stop - 1
+            with x.recorder.part("x", heading="states of effects"):
+                results[place] = results[place] + time * rotors[k].acceleration(a[k])
+    return results
 
 
 def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
@@ -93,9 +125,8 @@ def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> 
     if len(q) == nq:
         return list(q)
     states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
-    rates = [rate for own in states for rate in own.law.rates]
     with x.recorder.part("x", heading="states of effects"):
-        return [*q[:nq], *add(tuple(q[nq:]), scaled(h / 2, rates))]
+        return [*q[:nq], *(y for own in states for y in own.drifted(h / 2))]
 
 
 def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
@@ -115,6 +146,17 @@ def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int
         if not (rate := rates[own.v.start]).is_zero:
             with x.recorder.part(x.names[number], "own", link.heading):
                 results[number] = h * _beyond(h, rate)
+    return results
+
+
+def _later(x: FunctionRecording, h: Number, kicked: forward.Implicit) -> dict[int, Number]:
+    """The delays of motors that drive rotors, likewise, by the joint's link."""
+    results = {}
+    for number, link in enumerate(x.tree.links):
+        rotor = None if link.driver else kicked.rotors.get(link.v.start)
+        if rotor and not rotor.rate.is_zero:
+            with x.recorder.part(x.names[number], "own", link.heading):
+                results[number] = h * _beyond(h, rotor.rate)
     return results
 
 

@@ -109,7 +109,7 @@ def with_coriolis(motion: Motion, link: int, M: Articulated, C: Matrix) -> Matri
 
 
 @dataclass(frozen=True)
-class _Freedom:
+class _LinkFreedom:
     """A freedom that moves a link: its velocity is a multiple of one of the scene's, its screw and
     the rate of its components are in the link's frame."""
 
@@ -119,7 +119,7 @@ class _Freedom:
     rate: Twist
 
 
-def _freedoms(motion: Motion, link: int) -> Iterator[_Freedom]:
+def _freedoms(motion: Motion, link: int) -> Iterator[_LinkFreedom]:
     """The freedoms from a link inwards: X' = (V_joint - V) × X + S', moved to the link's frame."""
     call, links, number, moved = motion.recorder.call, motion.tree.links, link, motion.zero
     D = displacement(motion.recorder.numbers([int(i % 4 == 0) for i in range(9)]), moved)
@@ -131,7 +131,7 @@ def _freedoms(motion: Motion, link: int) -> Iterator[_Freedom]:
             for k, screw_and_rate in enumerate(screws):
                 X, S = (call("product_Adinvs", D, x) for x in screw_and_rate)
                 rate: Twist = add(call("cross_ss", U, X), S)
-                yield _Freedom(links[driver.link].v.start if driver else own.v.start + k,
+                yield _LinkFreedom(links[driver.link].v.start if driver else own.v.start + k,
                                driver.multiplier if driver else 1, X, rate)
             D = call("product_dd", motion.frame(number), D)
         number = own.parent

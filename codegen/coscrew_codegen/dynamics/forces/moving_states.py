@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
+    Number,
     Vector,
     add,
     dot,
@@ -20,7 +21,9 @@ from coscrew_codegen.algebra.recording.numbers import (
     subtract,
     where,
 )
-from coscrew_codegen.scene.effect import Force, Torque
+from coscrew_codegen.dynamics.forces.linearization import JointEffect
+from coscrew_codegen.dynamics.forces.rotors import Rotor
+from coscrew_codegen.scene.effect import ContactForce, Force, Torque
 
 _LEAST = Fraction(1, 8)
 """Smallest divisor of rates along the bounds: where these shrink to nothing, so does what x does.
@@ -34,7 +37,9 @@ class MovingStates:
     """The states of an effect, and its law there."""
 
     x: Vector
-    law: Torque | Force
+    law: Torque | Force | ContactForce
+    lagging: JointEffect | None = None  # whose torque x is
+    rotor: Rotor | None = None  # whose angle and speed x are
 
     @property
     def kept(self) -> Vector:
@@ -46,6 +51,8 @@ class MovingStates:
     def rates(self) -> Vector:
         """x', also beyond the bounds; nothing moves states whose bounds are zero."""
         share, rates = self.law.share, self.law.rates
+        if self.rotor:
+            return self.x[1], self.rotor.acceleration
         if share is None:
             return rates
         if len(rates) > 1:
@@ -55,3 +62,15 @@ class MovingStates:
             along = scaled(1 / maximum(share, _LEAST), subtract(rates, away))
             rates = add(away, along)
         return tuple(where(less(share.like(0), share), x, 0) for x in rates)
+
+    def drifted(self, time: Number) -> Vector:
+        """The states after a time at their rates; a rotor's angle moves at its speed, and a torque
+        with a lag stays."""
+        if self.lagging:
+            return self.x
+        rates = (self.x[1], self.x[1].like(0)) if self.rotor else self.law.rates
+        return add(self.x, scaled(time, rates))
+
+    def followed(self, time: Number) -> Vector:
+        """The states after a time in which the demand of a torque with a lag is this one."""
+        return (self.lagging.followed(time),) if self.lagging else self.x

@@ -10,7 +10,7 @@ second link in the first, V = (v; ω) the links' twists and A the rates of their
 The closure φ grows with E v: in m, or the tangent of half an angle, twice, so that it is zero at no
 angle but zero.  Velocities of joints that carry both links have exact zeros in E."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
@@ -112,6 +112,11 @@ class Closure:
             pure = units if kind is FRAME else self._axes[1:] if kind is HINGE else []
             return [*((*x, *cross(point, x)) for x in units), *((*zero, *x) for x in pure)]
 
+    @property
+    def exerted(self) -> list[Wrench]:
+        """The wrench on the first link, in its frame, of a multiplier of 1 of each row."""
+        return self.coscrews
+
     @cached_property
     def _axes(self) -> tuple[Vector, ...]:
         """A hinge's axis and two across it, in the first link's frame."""
@@ -123,6 +128,18 @@ class Closure:
     def rows(self) -> list[Row]:
         """E."""
         return [self.torques(H) for H in self.coscrews]
+
+    def total(self, multipliers: Mapping[int, Number]) -> Wrench:
+        """The wrench on the first link of the multipliers of rows."""
+        total: Wrench = (*self.motion.zero, *self.motion.zero)
+        with self.part("f"):
+            for k, x in multipliers.items():
+                total = add(total, scaled(x, self.exerted[k]))
+        return total
+
+    def transposed(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ of the multipliers of rows."""
+        return self.torques(self.total(multipliers))
 
     def torques(self, H: Wrench) -> Row:
         """The torques of a wrench on the first link and its opposite on the second."""

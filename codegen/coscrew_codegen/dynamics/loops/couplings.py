@@ -5,18 +5,18 @@
 with the weighted sums s of the joints and r of their leaders.  They hold no bodies: their forces
 act as torques of the joints do, between the bodies that each connects."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from coscrew_codegen.algebra.recording.numbers import Number
-from coscrew_codegen.dynamics.algorithms.motion import Motion, Twist
+from coscrew_codegen.algebra.recording.numbers import Number, scaled
+from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.forces.acted_coordinates import link_of, sum_of, weights_of
 from coscrew_codegen.dynamics.loops.closures import Closure, Row
 from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.mechanism.loop import ClosedLoop, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop
 
 
 @dataclass(frozen=True)
@@ -67,30 +67,23 @@ class Coupling(Closure):
 
     @cached_property
     def coscrews(self) -> list[Wrench]:
-        """The wrench of its first joint along its axis, on the link that it moves: a record, since
-        the joint's torque is not from outside."""
-        return [tuple(x * self._first.weight for x in self._screw)]
+        """No wrench from outside on any link."""
+        return [(*self.motion.zero, *self.motion.zero)]
 
     @property
-    def _first(self) -> WeightedCoordinate:
-        return required(self.loop.law).joints[0]
+    def exerted(self) -> list[Wrench]:
+        """The wrench of its first joint along its axis, on the link that it moves."""
+        first = required(self.loop.law).joints[0]
+        screw = self.motion.subspace(link_of(self.motion, first.joint))[first.coordinate]
+        return [tuple(x * first.weight for x in screw)]
 
-    @property
-    def _screw(self) -> Twist:
-        """The screw of the first coordinate, of norm 1, in the link's frame."""
-        link = link_of(self.motion, self._first.joint)
-        return self.motion.subspace(link)[self._first.coordinate]
-
-    def torques(self, wrench: Wrench) -> Row:
-        """The torques of all its joints, of which the wrench tells the first one's."""
-        along = self.motion.zero[0]
+    def transposed(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ."""
         with self.part("f"):
-            for x, y in zip(wrench, self._screw, strict=True):
-                along = along + x * y
-            return [x * (along / self._first.weight) for x in self.rows[0]]
+            return list(scaled(multipliers[0], self.rows[0]))
 
     def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
-        """No wrench from outside."""
+        """None: joints transmit what it exerts."""
         return iter(())
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from coscrew_codegen.backends import version
 from coscrew_codegen.backends.html.pages import Json, finite
 from coscrew_codegen.reports.cost.cost_measurement import Costs
-from coscrew_codegen.reports.cost.figures.cost_tables import best
+from coscrew_codegen.reports.cost.figures.cost_page import best
 from coscrew_codegen.reports.cost.function_errors import Bounds, ErrorStatistics, FunctionErrors
 from coscrew_codegen.reports.cost.measured import DIGITS
 from coscrew_codegen.reports.cost.needs.answers import SURENESS, Answer, Sufficient

@@ -85,6 +85,11 @@ class Time:
     ratio_high: float | None
     dominated: bool
 
+    @property
+    def kind(self) -> str:
+        """Its language, compiler and layout."""
+        return ", ".join(filter(None, (self.language, self.compiler, self.layout)))
+
 
 @dataclass(frozen=True)
 class ReportEntry:
@@ -104,6 +109,15 @@ class ReportEntry:
     flops: int
     counts: str
     times: tuple[Time, ...]
+
+    @property
+    def name(self) -> str:
+        """Its name in sentences and plots."""
+        return f"{self.operation} {self.precision} {self.tier}"
+
+    def time(self, kind: str) -> Time | None:
+        """The time of this kind."""
+        return next((x for x in self.times if x.kind == kind), None)
 
 
 @dataclass(frozen=True)
@@ -151,6 +165,14 @@ class Report:
     entries: tuple[ReportEntry, ...]
     drift: tuple[DriftErrors, ...]
     compare: Comparison | None
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """All kinds of times, those in C over a structure of arrays first; one without a name, if
+        nothing was timed."""
+        times = [time for entry in self.entries for time in entry.times]
+        times.sort(key=lambda x: (x.language, x.layout) != ("C", "structure of arrays"))
+        return tuple(dict.fromkeys(x.kind for x in times)) or ("",)
 
     def to_json(self) -> str:
         """The report as the text of report.json."""

@@ -119,8 +119,12 @@ def _effect(effect: Effect) -> Schema:
     one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one
-    if effect.place is Place.PAIR or effect.parts:
+    if effect.place is Place.PAIR:
         return _by_name(one)
+    if effect.parts:
+        own = {x.name: _with_words(_described(x), _parameter(x)) for x in effect.parameters}
+        return {"type": "object", "additionalProperties": one,
+                "properties": {"bodies": {"anyOf": [{"const": "all"}, _TEXTS]}, **own}}
     several = "joints" if effect.place is Place.JOINT else "bodies"
     values = {parameter.name: {"description": _described(parameter), "anyOf": [
         schema, _by_name(schema), one]}
@@ -140,7 +144,7 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number),
         "formula": {"anyOf": [number, _TRAJECTORY]},
-        "height": {"type": "string"},
+        "height": {"anyOf": [{"type": "string"}, _closed({"file": {"type": "string"}}, ["file"])]},
         "formulas": _VECTOR, "body": {"type": "string"},
         "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
         "matrix": _array(6, _array(6, _NUMBER))}

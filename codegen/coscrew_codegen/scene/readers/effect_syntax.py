@@ -13,7 +13,8 @@ _WHERE = {
     Place.JOINT: "[effects.{0}] joints = …, or [effects.{0}.JOINT]",
     Place.BODY: "[effects.{0}] bodies = …, [effects.{0}.BODY], or [effects.{0}.LABEL] body = …",
     Place.PAIR: "[effects.{0}.LABEL] bodies = [A, B]"}
-_ON_PARTS = "[effects.{0}.BODY], or [effects.{0}.LABEL] bodies = [A, B, …]"
+_ON_PARTS = ("[effects.{0}.BODY], [effects.{0}.LABEL] bodies = [A, B, …], or [effects.{0}] for all "
+             "bodies with shapes in the model's file")
 _ON_SUMS = "[effects.{0}] joints = …, [effects.{0}.JOINT], or [effects.{0}.LABEL] joints = {{ … }}"
 
 
@@ -52,7 +53,7 @@ def _line(parameter: ParameterOf) -> str:
 
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
-    kinds = {"height": "a function of x and y", "vector": "three numbers",
+    kinds = {"height": "a function of x and y, or a grid of heights", "vector": "three numbers",
              "formula": "a number, a function of t or a "
              "trajectory",
              "formulas": "three numbers or functions of t", "flag": "true or false",

@@ -23,7 +23,7 @@ def plot_residuals(arm: ArmRegressor, x: Estimate, path: Path) -> None:
         left.plot(x.t, x.measured[:, k], ".", color=plots.QUIET, markersize=2, label="measured")
         left.plot(x.t, x.measured[:, k] - x.residuals[:, k], linewidth=1, label="estimated")
         unit, *_ = units.torques((c.kind,))
-        left.set_ylabel(plots.escaped(f"{c.joint} [{unit}]"))
+        left.set_ylabel(f"{c.joint} [{unit}]")
         right.plot(x.t, x.residuals[:, k], ".", color="C1", markersize=2)
         for side in (-2, 2):
             right.axhline(side * x.deviations[k], color=plots.INK, linewidth=0.8, linestyle="--")

@@ -78,7 +78,7 @@ def _size(values: np.ndarray) -> float:
 
 def _left_out(names: Sequence[str]) -> str:
     more = len(names) - _MOST_NAMED
-    shown = ", ".join(map(plots.escaped, names[:_MOST_NAMED]))
+    shown = ", ".join(names[:_MOST_NAMED])
     return textwrap.fill(f"on zero, not drawn: {shown}{f' and {more} more' if more > 0 else ''}",
                          110)
 
@@ -92,7 +92,7 @@ def _lines(axes: Axes, recordings: Sequence[Recording], columns: Sequence[Column
             first = recording is recordings[0]
             named = first and i < _MOST_NAMED
             axes.plot(recording.t, values, dash, color=f"C{i}", linewidth=1,
-                      label=plots.escaped(column.name) if named else "_",
+                      label=column.name if named else "_",
                       gid=column.name if first or members else f"{column.name} single")
     if len(columns) > 1 or columns[0].name != columns[0].quantity:
         more = len(columns) - _MOST_NAMED

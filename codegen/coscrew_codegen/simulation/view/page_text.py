@@ -9,9 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.backends.html import pages
-from coscrew_codegen.backends.html.pages import Json
-from coscrew_codegen.backends.render import TEMPLATES
+from coscrew_codegen.backends.html.pages import Json, embedded
+from coscrew_codegen.backends.render import TEMPLATES, render
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System
@@ -55,8 +54,9 @@ def text_of(shown: Playback) -> str:
         f"The playback ends at t = {end:.6g} s: the rest is too large to be shown.")
     speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= end),
                 default=_SPEEDS[0][0])
-    return pages.page(
-        "view/page.html", data, name=first.system.scene.name, sentence=_sentence(first),
+    return render(
+        "view/page.html", data=embedded(data), name=first.system.scene.name,
+        sentence=_sentence(first),
         bodies=[x.name for x in first.system.scene.model.bodies], rest=rest,
         stopped=first.trajectory.stopped, speed=speed, speeds=_SPEEDS,
         notes=[*([shown.lacks] if shown.lacks else []), *drawing.notes], source=first.provenance,

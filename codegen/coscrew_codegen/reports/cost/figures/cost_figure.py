@@ -1,139 +1,145 @@
 """Draws a scene's costs: errors of functions and of runs against time; time of forward dynamics by
-effect."""
+effect; errors of a run over time, by cause."""
 
 import math
 from collections.abc import Iterator, Sequence
 from functools import partial
-from itertools import zip_longest
+from itertools import product
 from pathlib import Path
 
+import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
+from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.backends.html import plots
-from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.program.values.digits import three_digits
+from coscrew_codegen.program.values.formats import BY_NAME, PRECISIONS
 from coscrew_codegen.reports.cost.cost_measurement import Costs
-from coscrew_codegen.reports.cost.figures import run_panel
-from coscrew_codegen.reports.cost.figures.panels import legend, panel, titles
-from coscrew_codegen.reports.cost.function_errors import units_with_errors
-from coscrew_codegen.reports.cost.work_precision import Point
-from coscrew_codegen.reports.timing.intervals import Interval
+from coscrew_codegen.reports.cost.function_errors import FunctionErrors, units_with_errors
+from coscrew_codegen.reports.cost.needs.need import Need
+from coscrew_codegen.reports.cost.recommendations import recommended, undominated
+from coscrew_codegen.reports.cost.run_errors import RunErrors
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
-from coscrew_codegen.simulation.result_units import written
+from coscrew_codegen.simulation.result_units import in_unit, written
 
 _MARKERS = "osD^v"
 _SHOWN = "forward_dynamics"
-_ABREAST = 4  # panels in a row
 
 
 def functions(costs: Costs) -> Iterator[plots.Panel]:
     """A panel for each function and unit in which any choice has an error."""
     for rows in costs.accuracy:
         for number in units_with_errors(rows):
-            unit = written(rows[0].errors[number].unit)
-            yield plots.Panel(f"Error of {rows[0].function} against time, {unit}",
-                          partial(panel, rows=rows, number=number, needs=costs.needs),
-                          dict(titles(rows, number)))
+            yield plots.Panel(
+                f"Error of {rows[0].function} against time, {written(rows[0].errors[number].unit)}",
+                partial(panel, rows=rows, number=number, needs=costs.needs))
 
 
 def runs(costs: Costs) -> Iterator[plots.Panel]:
     """Panels of effects and of runs, if they were measured."""
     if costs.runs:
         yield plots.Panel("Time of forward dynamics by effect", partial(_bars, costs=costs))
-        yield plots.Panel("Error at the end of runs against time",
-                          partial(_accuracy, costs=costs))
-    if errors := costs.run_errors:
-        names = [f"{x.cause}: {x.of}" for x in errors.rows]
-        yield plots.Panel("Errors of the run over time", partial(run_panel.panel, errors=errors),
-                      dict(zip(names, names, strict=True)))
+        yield plots.Panel("Error at the end of runs against time", partial(_ends, costs=costs))
+    if costs.run_errors:
+        yield plots.Panel("Errors of the run over time", partial(_run, errors=costs.run_errors))
 
 
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
     with delivered(path) as temporary:
-        plots.write(figure(costs), temporary)
+        plots.write(plots.drawn((*functions(costs), *runs(costs))), temporary)
 
 
-@plots.styled
-def figure(costs: Costs) -> Figure:
-    """All panels, _ABREAST in a row."""
-    drawings = [*functions(costs), *runs(costs)]
-    across = min(_ABREAST, len(drawings))
-    down = -(-len(drawings) // across)
-    figure = Figure(figsize=(4.2 * across, 4.2 * down + 0.4), layout="constrained")
-    panels = figure.subplots(down, across, squeeze=False).flat
-    for axes, drawing in zip_longest(panels, drawings):
-        if drawing:
-            drawing.draw(axes)
-        else:
-            axes.set_axis_off()
-    if costs.accuracy:
-        legend(figure, [x for rows in costs.accuracy for x in rows])
-    plots.place_labels(figure)
-    return figure
+def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0,
+          needs: Sequence[Need] = ()) -> None:
+    """Draws a mark for each tier and precision at the worst error, or bound if it is certified, in
+    the function's unit of this number; a line from the typical error; a ring around the recommended
+    choice; a line at each request."""
+    unit, best, choice = rows[0].errors[number].unit, undominated(rows), recommended(rows)
+    axes.set(xlabel="ns per call in C", title=rows[0].function,
+             ylabel="error" if unit == "1" else f"error, {written(unit)}")
+    for need in needs:
+        if need.function == choice.function and need.concerns(unit):
+            axes.axhline(need.within, color=plots.INK, linestyle="--", linewidth=1,
+                         gid=f"{need} line")
+            plots.name_beside(axes, (0, need.within), f"needed: {need.named((unit,))}",
+                              "axes fraction")
+    plots.scatter(axes, [_mark(x, number, x not in best, x is choice) for x in rows])
+    plots.tier_legend(axes, (x.tier for x in rows))
+
+
+def _mark(x: FunctionErrors, number: int, hollow: bool, ring: bool) -> plots.Mark:
+    e, worst = x.errors[number], shown(x, number)
+    return plots.Mark(
+        f"{x.function} {x.name}", x.time.median, x.time.low, x.time.high, worst,
+        plots.COLOURS[x.tier], BY_NAME[x.precision].marker, hollow, ring,
+        in_unit(worst, e.unit) if 0 < worst < math.inf else "", foot=e.typical, title=(
+            f"{x.name}: {'bound' if e.bounds else 'error'} {in_unit(worst, e.unit)}, typically an "
+            f"error of {in_unit(e.typical, e.unit)}, {three_digits(x.time.median)} ns"))
+
+
+def shown(x: FunctionErrors, number: int = 0) -> float:
+    """The number of a mark: the worst error, or the largest bound of a certified function."""
+    errors = x.errors[number]
+    return errors.bounds.worst if errors.bounds else errors.worst
 
 
 def _bars(axes: Axes, costs: Costs) -> None:
     rows = [x for x in costs.rows if x.function == _SHOWN]
+    parts = [f"{x.part}\n{x.flops} flops" for x in rows]
     for i, precision in enumerate(PRECISIONS):
-        bars = axes.barh([n + 0.4 * i for n in range(len(rows))],
-                         [x.times[i].median for x in rows], 0.38, color=precision.colour,
-                         label=precision.name, xerr=_whiskers([x.times[i] for x in rows]),
-                         error_kw={"linewidth": 1})
-        for bar, row in zip(bars, rows, strict=True):
-            bar.set_gid(f"{row.part}-{precision.name}-ns")
-    for n, x in enumerate(rows):
-        axes.annotate(f"{x.flops} flops", (0, n), (4, 0), textcoords="offset points",
-                      va="center", fontsize=7, color="white")
-    axes.set_yticks([n + 0.2 for n in range(len(rows))], [x.part for x in rows])
+        times = [x.times[i] for x in rows]
+        axes.barh(parts, [x.median for x in times], (0.4, -0.4)[i], align="edge",
+                  xerr=[[x.median - x.low for x in times], [x.high - x.median for x in times]],
+                  color=precision.colour, label=precision.name)
     axes.invert_yaxis()
-    axes.set_xlabel("ns per call in C")
-    axes.set_title("forward dynamics, effect by effect")
+    axes.set(xlabel="ns per call in C", title="forward dynamics, effect by effect")
     plots.legend_below(axes)
 
 
-def _whiskers(times: Sequence[Interval]) -> list[list[float]]:
-    """The distances of the intervals' ends below and above their medians."""
-    return [[x.median - x.low for x in times], [x.high - x.median for x in times]]
-
-
-def _accuracy(axes: Axes, costs: Costs) -> None:
-    axes.set_title("error at the end against time")
-    names = list(dict.fromkeys(x.integrator for x in costs.points))
-    for i, name in enumerate(names):
-        for precision in PRECISIONS:
-            results = sorted((x for x in costs.points
-                              if (x.integrator, x.precision) == (name, precision.name)
-                              and 0 < x.error < math.inf), key=lambda x: (x.time.median, x.error))
-            if results:
-                _curve(axes, results, costs, precision.dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
+def _ends(axes: Axes, costs: Costs) -> None:
+    """A curve for each integrator and precision; hollow marks are below the reference's error."""
+    names = tuple(dict.fromkeys(x.integrator for x in costs.points))
+    for (i, name), precision in product(enumerate(names), PRECISIONS):
+        marks = [plots.Mark(
+            f"{name} {precision.name} {x.error:g}", 1e6 * x.time.median, 1e6 * x.time.low,
+            1e6 * x.time.high, x.error, f"C{i}", _MARKERS[i % len(_MARKERS)], not costs.known(x))
+            for x in costs.points if (x.integrator, x.precision) == (name, precision.name)
+            and 0 < x.error < math.inf]
+        if marks:
+            marks.sort(key=lambda x: (x.x, x.y))
+            axes.plot([x.x for x in marks], [x.y for x in marks], precision.dash + marks[0].shape,
+                      color=marks[0].colour, linewidth=1, label=f"{name}, {precision.name}",
+                      gid=f"{name} {precision.name}")
+            plots.scatter(axes, marks)
+    axes.set(title="error at the end against time", ylabel="error of a coordinate, m or rad",
+             xlabel="time of the run, µs (SciPy's in Python)")
     if not axes.lines:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
         return
     if costs.reference and costs.reference.error > 0:
         axes.axhline(costs.reference.error, color=plots.QUIET, linewidth=1, linestyle=":",
                      label=f"the reference's own, {costs.reference.error:.1g}", gid="reference")
-    plots.logarithmic(axes.xaxis)
-    plots.logarithmic(axes.yaxis)
-    axes.set(xlabel="time of the run, µs (SciPy's in Python)",
-             ylabel="largest error of a coordinate, m or rad")
     plots.legend_below(axes, "hollow: no worse than the reference")
 
 
-def _curve(axes: Axes, points: Sequence[Point], costs: Costs, dash: str, marker: str,
-           colour: str) -> None:
-    """An integrator's runs in one precision; hollow if the error is below the reference's."""
-    first = points[0]
-    name = f"{first.integrator} {first.precision}"
-    where = [(1e6 * x.time.median, x.error) for x in points]
-    for x in points:
-        axes.plot([1e6 * x.time.low, 1e6 * x.time.high], [x.error] * 2, color=colour, linewidth=2,
-                  label="_", gid=f"{name} interval")
-    axes.plot(*zip(*where, strict=True), dash, color=colour, linewidth=1, label="_", gid=name)
-    for hollow in (False, True):
-        chosen = [at for at, x in zip(where, points, strict=True) if costs.known(x) != hollow]
-        axes.plot(*zip(*chosen, strict=True) if chosen else ((), ()), marker, linestyle="",
-                  color=colour, markersize=4, markerfacecolor="white" if hollow else colour,
-                  label="_", gid=f"{name} hollow" if hollow else f"{name} runs")
-    axes.plot((), (), dash + marker, color=colour, markersize=4, linewidth=1,
-              label=f"{first.integrator}, {first.precision}")
+def _run(axes: Axes, errors: RunErrors) -> None:
+    """Draws a curve for each cause, and a cross where no digit is left; effects have other colours
+    than tiers and the step, and dots."""
+    for n, x in enumerate(errors.rows):
+        name, (precision, *tier) = f"{x.cause}: {x.of}", x.of.split()
+        colour, dash, width = (plots.INK, "-", 1.8) if x.cause == "step" else (f"C{n}", ":", 1.2)
+        if x.cause == "rounding":  # wide where it coincides with plain's
+            colour, dash = plots.COLOURS[tier[0]], BY_NAME[precision].dash
+            width = 1.2 if tier[0] == PLAIN.name else 3
+        values = np.array(x.errors)
+        values[~np.isfinite(values) | (values == 0)] = np.nan
+        axes.plot(errors.times, values, dash, color=colour, linewidth=width, label=name, gid=name,
+                  alpha=1 if width < 3 else 0.5, zorder=2 if width < 3 else 1.9)
+        if x.gone is not None:
+            axes.plot([x.gone], [values[errors.times.index(x.gone)]], "x", color=colour,
+                      gid=f"{name} gone")
+    plots.logarithmic(axes.yaxis)
+    axes.set(xlim=(0, errors.times[-1]), xlabel="t, s", ylabel="error of a coordinate, m or rad",
+             title=f"errors of the run: {errors.integrator}, step {errors.step:g} s")
+    plots.legend_below(axes, "×: no digit is right from here on")

@@ -106,6 +106,6 @@ def table(costs: Sequence[CoreCost]) -> Table:
          *(f"{x.instructions[core]:,}" if x.instructions else "not counted" for core in CORES))
         for n, x in enumerate(costs))
     missing = cortex_m4.missing()
-    return Table(("in the stated ranges", "format", "proved", *CORES), rows, above=(_ABOVE,),
-                 below=(f"Not counted without {' and '.join(missing)}.",) if missing else (),
+    return Table(("in the stated ranges", "format", "proved", *CORES), rows, (_ABOVE, *(
+        (f"Not counted without {' and '.join(missing)}.",) if missing else ())),
                  title="Fixed point", texts=3)

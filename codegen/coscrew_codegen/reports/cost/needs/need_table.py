@@ -22,7 +22,7 @@ def table(answers: Sequence[Answer]) -> Table:
     why = "".join(f" Instructions are estimated from operations, {x}." for x in dict.fromkeys(
         x.uncounted for x in answers) if x)
     return Table(_HEADERS, tuple(row for x in answers for row in _rows(x)),
-                 below=(_LEGEND.format(states) + why,) if states else (), title="What suffices",
+                 notes=(_LEGEND.format(states) + why,) if states else (), title="What suffices",
                  texts=3)
 
 

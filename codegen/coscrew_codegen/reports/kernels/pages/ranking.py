@@ -30,15 +30,12 @@ def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key,
                     and len(other.variant.operation.outputs) >= len(than.variant.operation.outputs))
 
         for t in rivals:
-            time = its[key(t)]
-            dominated = any(its[key(x)].below(time) and no_worse(x, t) for x in rivals)
-            ratio = t.timing.ratio(plain) if plain else None
-            ratios: tuple[float | None, float | None, float | None] = (
-                (ratio.median, ratio.low, ratio.high) if ratio else (None, None, None))
+            time, ratio = its[key(t)], t.timing.ratio(plain) if plain else None
+            median, low, high = (ratio.median, ratio.low, ratio.high) if ratio else (None,) * 3
             results.setdefault(key(t), []).append(Time(
                 t.language, t.compiler, t.layout, time.median, time.low, time.high,
-                t.timing.minimum, len(t.timing.rounds),
-                *ratios, dominated))
+                t.timing.minimum, len(t.timing.rounds), median, low, high,
+                any(its[key(x)].below(time) and no_worse(x, t) for x in rivals)))
     return {variant: tuple(its) for variant, its in results.items()}
 
 
@@ -58,8 +55,7 @@ def _figures(report: Report) -> Iterator[tuple[tuple[Key, str], float]]:
             if errors:
                 yield (variant, f"worst error, {name}, {entry.measure}"), errors.worst
         for time in entry.times:
-            where = " ".join(filter(None, (time.language, time.compiler, time.layout)))
-            yield (variant, f"ns, {where}"), time.ns
+            yield (variant, f"ns, {time.kind}"), time.ns
 
 
 def _ratio(before: float, after: float) -> float:

@@ -10,6 +10,7 @@ from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.toml import effect_settings
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
@@ -24,9 +25,11 @@ MANY = 5
 
 @dataclass
 class Use:
-    """Collects what effects take from the model while they are read, as (joint, field)."""
+    """Collects what effects take from the model while they are read, as (joint, field), and
+    notices of what they cannot take."""
 
     of_model: set[tuple[str, str]] = field(default_factory=set)
+    notices: list[Notice] = field(default_factory=list)
 
 
 @dataclass(frozen=True)

@@ -200,7 +200,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     _refuse_without_ranges(file, tiers)
     scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
                     tiers=tiers,
-                    notices=(*_falling(file, model, effects), *idle(effects), *notices))
+                    notices=(*_falling(file, model, effects), *idle(effects), *use.notices,
+                             *notices))
     if "ranges" in file:
         scene = replace(scene, ranges=read_ranges(file, scene))
     return _selecting(scene, functions)

@@ -16,8 +16,8 @@ from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.function_selection import CLOSED, STATE_RATES, SWITCHES
 from coscrew_codegen.scene.integrators import ADAPTIVE
 from coscrew_codegen.simulation import coordinate_rates
-from coscrew_codegen.simulation.events import Events
 from coscrew_codegen.simulation.plan import Plan
+from coscrew_codegen.simulation.solvers.events import Events
 from coscrew_codegen.simulation.system import State, System, Watch
 
 _OF_STATES = 1e-3  # a usual size of states of effects, in their units
@@ -66,7 +66,7 @@ def _beginning(system: System, plan: Plan, end: float) -> Callable[[float, np.nd
 
 
 def _least(solver: OdeSolver) -> float:
-    """How closely the time of an event is searched."""
+    """Width of the interval to which the time of an event is narrowed."""
     return _SPACINGS * float(np.spacing(max(abs(solver.t), abs(solver.step_size or 0.0))))
 
 
