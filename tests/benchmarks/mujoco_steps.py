@@ -41,11 +41,11 @@ WANTED = {"one": 5, "many": 30}
 STEP, STEPS, STATES = 1e-3, 200, 256
 SECONDS = 2.0  # of each comparison
 LOOP = """
-/* x: mj_resetData, mj_step, model, data */
+/* x: mj_resetData or null, mj_step, model, data */
 typedef void (*function)(const void *model, void *data);
 void mujoco_steps(long n, void *const *x);
 void mujoco_steps(long n, void *const *x) {
-  ((function)x[0])(x[2], x[3]);
+  if (x[0]) ((function)x[0])(x[2], x[3]);
   for (long i = 0; i < n; i++) ((function)x[1])(x[2], x[3]);
 }
 """
@@ -109,7 +109,7 @@ def measured(arm: str, effects: Effects, compiler: str) -> Measured:
     refuse_others(scene, name, model, data)
     with TemporaryDirectory() as folder:
         loops = compiled(scene, (name,), Path(folder), compiler, "-march=native", many=True)
-        rival = _their_loop(model, data, Path(folder))
+        rival = loop_of_mujoco(model, data, Path(folder))
     keys = [(kind, p) for kind in ("one", "many") for p in PRECISIONS]
     rng = np.random.default_rng(0)
     states = [rng.uniform(-2, 2, (STATES, n)) for n in (scene.nq, scene.nv)]
@@ -120,8 +120,9 @@ def measured(arm: str, effects: Effects, compiler: str) -> Measured:
         (kind, p.name): x for (kind, p), x in zip(keys, ours, strict=True)}, theirs)
 
 
-def _their_loop(model: mujoco.MjModel, data: mujoco.MjData, folder: Path) -> Loop:
-    """STEPS of MuJoCo's from its start."""
+def loop_of_mujoco(model: mujoco.MjModel, data: mujoco.MjData, folder: Path, keep: bool = False
+                   ) -> Loop:
+    """STEPS of MuJoCo's from its start; with `keep` from where it is."""
     (folder / "mujoco_steps.c").write_text(LOOP)
     path = folder / "mujoco_steps.so"
     subprocess.run(["cc", "-O2", "-shared", "-fPIC", "mujoco_steps.c", "-o", str(path)],
@@ -129,6 +130,7 @@ def _their_loop(model: mujoco.MjModel, data: mujoco.MjData, folder: Path) -> Loo
     library = _mujoco()
     functions = [ctypes.cast(x, ctypes.c_void_p).value
                  for x in (library.mj_resetData, library.mj_step)]
+    functions[0] = None if keep else functions[0]
     arguments = (ctypes.c_void_p * 4)(*functions, model._address, data._address)
     arguments.kept = model, data  # type: ignore[attr-defined]
     return Loop(ctypes.CDLL(str(path)).mujoco_steps, STEPS, arguments)

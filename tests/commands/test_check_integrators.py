@@ -5,9 +5,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene.effect_quantities import why_not_moved
 from coscrew_codegen.scene.integrators import NAMES
-from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "scenes").glob("*.toml"))
 FALL = """
@@ -32,14 +30,10 @@ duration = 0.1
 @pytest.mark.parametrize("integrator", NAMES)
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda x: x.stem)
 def test_every_integrator_is_judged_on_every_example(example, integrator, capsys):
-    """It passes or says what is false, or is refused where effects have states that it does not
-    move.  Expectations are of later times than these 0.02 s."""
+    """It passes or says what is false.  Expectations are of later times than these 0.02 s."""
     status = main(["check", str(example), "--integrator", integrator, "--precision", "double",
                    "--until", "0.02"])
-    output, errors = capsys.readouterr()
-    if why := why_not_moved(read_scene(example), integrator):
-        assert status == 2 and why in errors
-        return
+    output = capsys.readouterr().out
     assert status in (0, 1) and "largest error of the motion" in output
     assert (status == 1) == any(word in output for word in ("FAIL ", "FALSE: ", "double: "))
 

@@ -9,14 +9,22 @@ from types import SimpleNamespace
 import mpmath
 import numpy as np
 import pytest
+from gmpy2 import mpfr
 from mpmath import mpf
 
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.program.multiprecise import precise
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.simulation.check import check_rounding
-from coscrew_codegen.simulation.check.check_rounding import STATES, RoundedResults, rounding
+from coscrew_codegen.simulation.check import check_report, check_rounding
+from coscrew_codegen.simulation.check.check_rounding import (
+    DIGITS,
+    STATES,
+    Certified,
+    RoundedResults,
+    rounding,
+)
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.system import System, system
 from tests.support.scenes import scene_texts as texts
@@ -103,7 +111,8 @@ def test_errors_are_those_against_the_closed_form(kernels: Kernels):
         assert (rounded.error, rounded.at, rounded.states) == (errors[at], trajectory.t[at], STATES)
         assert rounded.digits == pytest.approx(math.log10(abs(true[at]) / errors[at]), abs=1e-9)
         assert rounded.certified and rounded.certified.stated == rounded.certified.of == STATES
-        assert 1 <= rounded.certified.ratio < 1.5 and rounded.certified.broken is None
+        assert rounded.certified.broken is None
+        assert rounded.certified.ratio and 1 <= rounded.certified.ratio < 1.5
     for x in results.values():
         own = -math.log10(BY_NAME[x.precision].u)
         assert x.lost == max(0, own - x.digits) < 2
@@ -129,6 +138,26 @@ def test_the_command_says_so(path: Path, capsys: pytest.CaptureFixture[str]):
     out = capsys.readouterr().out
     assert out.count("all hold, 1.0") == 4
     assert "digits right    digits lost" in out
+
+
+def test_exact_results_and_wide_bounds_are_called_so(kernels: Kernels):
+    """Errors of 1e-45 are those of 50 digits: they are not compared with the bounds."""
+    its, trajectory = next(runs(kernels))
+    values = check_rounding._states(its, trajectory)
+    tau = its.call("inverse_dynamics", **{x: values[x] for x in "qva"})
+
+    def held(error: float, bound: float) -> Certified:
+        stub = SimpleNamespace(double=SimpleNamespace(
+            inverse_dynamics=lambda *_: (tau, np.full_like(tau, bound))))
+        with precise(DIGITS):
+            truth = [[mpfr(float(x)) + mpfr(error) for x in row] for row in tau]
+        return check_rounding._held(its, stub, "inverse_dynamics", values, truth, [0])
+
+    assert check_report._bounds(held(1e-45, 1e-13)) == "all hold, results are exact"
+    assert check_report._bounds(held(0, 0)) == "all hold, results are exact"
+    assert check_report._bounds(held(1e-18, 1e-13)) == (
+        "all hold, over 1000 times the error (median)")
+    assert check_report._bounds(held(1e-14, 2e-14)) == "all hold, 2.00 times the error (median)"
 
 
 def test_a_bound_that_does_not_hold_fails(path: Path, capsys: pytest.CaptureFixture[str],

@@ -122,7 +122,6 @@ def test_targets_are_drawn_over_the_coordinates(scene, tmp_path):
     (_, start), *_, (_, end) = drawn["q.pin target"]
     assert start > end  # upwards: from 0 to 0.42
     assert drawn["q.fin target"][0][1] == drawn["q.fin target"][-1][1]
-    assert 'id="q.pin target"' in result._repr_html_()
 
 
 def test_a_controlled_run_shows_no_targets(scene):
@@ -148,9 +147,9 @@ def test_all_curves_on_zero_are_drawn(scene, tmp_path):
 # runs
 
 def test_a_run_shows_its_playback(scene, tmp_path):
-    """In a frame that cannot reach the notebook; the plot alone is small."""
+    """In a frame that cannot reach the notebook."""
     one, other = (run(scene, p={"bob.mass": x}) for x in (2, 3))
-    assert 'id="q.pin target"' in one._repr_html_() and len(one._repr_html_()) < 100_000
+    assert one._repr_html_() == one.show()._repr_html_()
     (tmp_path / "notebook.html").write_text(
         f"<!DOCTYPE html><meta charset='utf-8'>{one.show(other)._repr_html_()}")
     assert 2e5 < (tmp_path / "notebook.html").stat().st_size < 4e5

@@ -23,7 +23,7 @@ from coscrew_codegen.scene.integrators import EMITTED, NAMES, named
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.plan import Plan, plan
-from coscrew_codegen.simulation.progress import line
+from coscrew_codegen.simulation.progress import EnergyDrift, line
 from coscrew_codegen.simulation.run import integrate
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 from coscrew_codegen.simulation.system import System, system
@@ -273,6 +273,18 @@ def test_the_line_of_progress():
             == "t 3.2/10 s  32 %  41x real time  dE/E 2e-11  ETA 0 s")
     assert line(1234.5, 3000, 1, 0.0).startswith("t 1234/3000 s  41 %  ")
     assert line(0, 10, 0.0, 0.0) == "t 0/10 s  0 %  0x real time  dE/E 0e+00  ETA ?"
+
+
+def test_drift_is_relative_to_the_energy_exchanged():
+    """A ball falls from 10 J and loses 1e-9 of them: wherever the potential energy is zero."""
+    for zero in (0.0, -10.0, 1e3):
+        drift = EnergyDrift()
+        assert drift(0.0, 10 + zero) == 0
+        assert drift(6.0, 4 + zero) == 0
+        assert drift(10 - 1e-8, zero) == pytest.approx(1e-9, rel=1e-5)
+        assert drift(0.0, 10 - 1e-8 + zero) == pytest.approx(1e-9, rel=1e-5)
+    at_rest = EnergyDrift()
+    assert (at_rest(0.0, -3.0), at_rest(0.0, -3.0)) == (0, 0)
 
 
 def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path):

@@ -201,7 +201,7 @@ def test_a_drag_turns_the_view_and_not_the_time(shown):
     assert after[1] == pytest.approx(before[1] + 2 * math.pi * 30 / height, abs=1e-3)
     assert after[2] == pytest.approx(before[2])
     assert clock(shown) == t
-    shown.find_element(By.ID, "reset").click()
+    shown.find_element(By.TAG_NAME, "body").send_keys("r")
     assert camera(shown) == pytest.approx(before, rel=1e-6)
 
 
@@ -270,7 +270,9 @@ def test_all_bodies_are_framed(browser, runs, name):
     shown = opened(browser, runs[1], name, 1280, 844)
     for width, phone in ((1280, False), (390, True)):
         resize(shown, width, 844, phone)
-        shown.execute_script("player.stage.resize(); player.fit();")
+        shown.execute_async_script("""
+            const done = arguments[0];
+            requestAnimationFrame(() => requestAnimationFrame(() => done()));""")
         points, free, wide = shown.execute_script(CORNERS, [0, 0.5, 1, 1.5, 2])
         x, y = np.transpose(points)
         assert x.min() > 0 and x.max() < wide

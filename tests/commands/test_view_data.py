@@ -220,7 +220,7 @@ def test_rods_go_from_origins_to_joints_and_balls_stand_where_they_move(tmp_path
 
 def test_a_sliding_body_hangs_on_a_rod(tmp_path):
     results = run(tmp_path / "spring.toml", texts.SPRING, until=0.1, precision="double")
-    assert PageData(page(results)).json["ties"] == [{"spring": False, "ends": [
+    assert PageData(page(results)).json["ties"] == [{"kind": "rod", "ends": [
         {"body": -1, "point": [0, 0, 0]}, {"body": 0, "point": [0, 0, 0]}]}]
 
 
@@ -241,7 +241,7 @@ second = [0, 0, -0.75]
 length = 1.0307764064044151
 [effects.gravity]
 """, until=0.1, precision="double")
-    assert PageData(page(results)).json["ties"][0] == {"spring": False, "ends": [
+    assert PageData(page(results)).json["ties"][0] == {"kind": "rod", "ends": [
         {"body": 0, "point": [0, 0, -1]}, {"body": 1, "point": [0, 0, -0.75]}]}
 
 
@@ -319,7 +319,7 @@ def test_arrows_stand_where_recorded_forces_act(both):
 def test_springs_between_bodies_join_their_points(both):
     data, _ = both
     body = [x["name"] for x in data.json["bodies"]].index("arm")
-    assert data.json["ties"] == [{"spring": True, "ends": [
+    assert data.json["ties"] == [{"kind": "spring", "ends": [
         {"body": -1, "point": [1, 0, 0]}, {"body": body, "point": [0, 0, -1]}]}]
 
 

@@ -90,8 +90,8 @@ def test_programs_that_differ_in_an_operation_are_not_shared():
     program = plain_program(next(op for op in OPERATIONS if op.name == "cross_sc"))
     first, *others = program.instructions
     assert shared(program, program) is not None
-    for wrong in ((*others,), (replace(first, op=Op.DIV), *others),
-                  (replace(first, operands=first.operands[::-1]), *others)):
+    for wrong in ((*others,), (first._replace(op=Op.DIV), *others),
+                  (first._replace(operands=first.operands[::-1]), *others)):
         assert shared(program, replace(program, instructions=wrong)) is None
 
 
@@ -101,7 +101,7 @@ def test_programs_that_differ_in_an_operation_are_not_shared():
 def test_a_constant_is_a_parameter_if_rounding_does_not_give_it(double, single, name):
     program = plain_program(next(op for op in OPERATIONS if op.name == "coscrew_scale"))
     first, *others = program.instructions
-    scaled = [replace(first, operands=(first.operands[0], Constant(Fraction(x), Fraction(x))))
+    scaled = [first._replace(operands=(first.operands[0], Constant(Fraction(x), Fraction(x))))
               for x in (double, single)]
     result = shared(*(replace(program, instructions=(x, *others)) for x in scaled))
     assert result is not None and bool(result.names) == name

@@ -205,7 +205,8 @@ def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Pat
         content = damaged(entry.read_bytes())
         entry.unlink()
         if damage in ("another's", "no pickle"):  # with its content's hash: whole, but not ours
-            entry = folder / f"{entry.name.split('-')[0]}-{cache.hashed(content)}{suffix}"
+            key = entry.name.partition("-")[0]
+            entry = folder / f"{key}-{len(content)}-{cache.hashed(content)}{suffix}"
         entry.write_bytes(content)
         bad[damage] = content
     done = subprocess.run([sys.executable, "-W", "error", "-c", LOADING, path,

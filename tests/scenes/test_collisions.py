@@ -64,7 +64,7 @@ def test_shapes_of_urdf_have_exact_sizes_and_places(tmp_path, geometry, shape, s
     ("<collision/>", "line 1: <collision> has 0 shapes; wanted one"),
     (collision('<cone radius="1"/>'), "line 1: <cone> is no shape; wanted one of box"),
     (collision('<sphere radius="-1"/>'), "a sphere of the sizes -1; wanted positive ones"),
-    (collision('<sphere radius="wide"/>'), "line 1: 'wide' is no number"),
+    (collision('<sphere radius="wide"/>'), "line 1: 'radius' of <sphere> is 'wide'; wanted 1"),
     (collision('<box size="1 2"/>'), "line 1: 'size' of <box> is '1 2'; wanted 3 numbers"),
     (collision('<mesh filename="none.stl"/>'), "line 1: no file 'none.stl'"),
     (collision('<sphere radius="1"/>', '<origin rpy="0 0"/>'), "line 1: 'rpy' of <origin>")))

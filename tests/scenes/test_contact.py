@@ -10,7 +10,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen import load_scene, run
-from coscrew_codegen.scene.effects.bristles.contact import damping_of
+from coscrew_codegen.scene.contacts.contact_law import damping_of
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.references import bouncing_ball

@@ -9,7 +9,7 @@ from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 DEFAULTS = {"gear": 1, "g": (0, 0, Fraction(-981, 100)), "axis": (0, 0, 1), "speed": 1,
-            "v_s": Fraction(1, 100)}  # others are 0
+            "eps": Fraction(1, 1000), "v_s": Fraction(1, 100)}  # others are 0
 GIVEN = [(effect.name, parameter) for effect in EFFECTS for parameter in effect.parameters
          if isinstance(parameter.default, int | Fraction | tuple)
          and not isinstance(parameter.default, bool)]

@@ -110,7 +110,7 @@ def test_commands_say_it_once_beside_the_summary(tmp_path: Path,
     lines = capsys.readouterr().err.splitlines()
     assert [x for x in lines if "nothing holds" in x] == [
         "coscrew: nothing holds body ball: it falls; write an effect that does, as "
-        '[effects.contact.LABEL] or [effects.wrench.LABEL], base = "fixed", or falling = '
+        '[effects.contact] with mu or [effects.wrench.LABEL], base = "fixed", or falling = '
         '"accept" where that is meant']
     assert any(x.startswith("coscrew: not used: ") for x in lines)
     assert main(["simulate", str(path), "--until", "0.01", "--verbose"]) == 0

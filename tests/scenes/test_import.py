@@ -90,6 +90,11 @@ def test_what_a_scene_does_not_hold_is_in_comments(written):
     assert '"one.pin" = { type = "revolute", parent = "foot", child = "a b", origin = { x' in text
     assert "[effects.mimic]\n" in text and '[effects.viscous]\njoints = ["one.pin", "ball"]' in text
     assert 'limits = { lower = -1, upper = 2, effort = 3 }, damping = 0.25, friction = 2' in text
+    assert "shapes are not written" not in text
+    shape = '<link name="d"><collision><geometry><sphere radius="1"/></geometry></collision>'
+    _, target = written(URDF.replace('<link name="d">', shape), "round.urdf")
+    assert ('# 1 collision shape is not written: a scene with model = "round.urdf" has them\n'
+            in target.read_text())
     _, target = written(SDF, "body.sdf")
     assert "# line 3: <gz:extra> is another tool's and is not used" in target.read_text()
 

@@ -53,7 +53,7 @@ def test_joints_have_their_axes_and_starts(tmp_path):
     ("axis = [0, 0, 5]", "axis = [0, 0, 5], axis2 = [1, 0, 0]",
      "axis2: is for universal joints; 'table' is planar"),
     ("axis = [0, 0, 5]", "axis = [0, 0, 5], limits = { effort = 1 }",
-     "limits: is for revolute and prismatic joints; 'table' is planar"),
+     "limits: is for revolute, prismatic and spherical joints; 'table' is planar"),
     ("axis = [0, 0, 5]", "axis = [0, 0, 0]", "axis: is zero; wanted a direction"),
     ("table = [1, 2,", "table = [2,", "table"),
     ('"universal"', '"cardan"', "did you mean 'universal'?"),

@@ -117,29 +117,33 @@ def test_flags_of_the_file_are_obeyed(read):
 
 
 UNKEPT = {
-    "equalities": ('<equality><joint name="e" joint1="wag" joint2="swing" polycoef="0 1 1 0 0"/>'
-                   "</equality>", "equality joint 'e'"),
-    "equalities ": (FOLLOWS.replace("</equality>", '<joint name="f" joint1="wag" joint2="bend"/>'
-                                    "</equality>"), "equality joint 'f'"),
     "tendons": ('<tendon><fixed name="t" stiffness="3" springlength="0 1"><joint joint="wag" '
                 'coef="1"/></fixed></tendon>', "tendon 't'"),
     "actuators  ": ('<actuator><intvelocity name="i" joint="wag" kp="1" actrange="-1 1"/>'
                     "</actuator>", "actuator i"),
     "polynomials  ": ('<tendon><fixed name="t" damping="3 1"><joint joint="wag" coef="1"/></fixed>'
                       "</tendon>", "damping or stiffness of tendon 't'"),
-    "actuators": ('<actuator><motor name="m" joint="wag" armature="2"/></actuator>',
+    "actuators": ('<actuator><motor name="m" joint="ankle" armature="2"/></actuator>',
                   "actuator 'm'"),
+    "polynomials   ": ('<actuator><motor name="m" joint="wag" damping="2 1"/></actuator>',
+                       "damping of actuator 'm'"),
     "fluid": ('<option density="1.2"/>', "option density, viscosity or wind")}
+SITES = '<site name="x"/><site name="y" pos="0 0 1"/><joint name="wag"'
+PATH = '<tendon><spatial name="s" {}><site site="x"/><site site="y"/><site site="z"/></spatial>' \
+    "</tendon>"
 IN_JOINTS = {
-    "ball_joints": ("", 'stiffness="4" springref="0"', 'range="0 1" limited="true"',
-                    "range of joint 'ankle'"),
+    "tendons  ": (PATH.format('damping="1"'), '<joint name="wag"', SITES.replace(
+        "<joint", '<site name="z"/><joint'), "tendon 's'"),
+    "equalities": (PATH.format("") + '<equality><tendon name="e" tendon1="s"/></equality>',
+                   '<joint name="wag"', SITES.replace("<joint", '<site name="z"/><joint'),
+                   "equality tendon 'e'"),
     "polynomials": ("", 'name="wag"', 'name="wag" damping="1 2"',
                     "damping or stiffness of joint 'wag'")}
 
 
 @pytest.mark.parametrize(("group", "more", "old", "new", "element"), (
     *((x.strip(), y[0], "a", "a", y[1]) for x, y in UNKEPT.items()),
-    *((x, *y) for x, y in IN_JOINTS.items())))
+    *((x.strip(), *y) for x, y in IN_JOINTS.items())))
 def test_what_no_scene_has_is_refused_or_left_out(read, group, more, old, new, element):
     text = FREE.replace(old, new)
     with pytest.raises(SceneError) as caught:
@@ -269,6 +273,39 @@ def test_actuators_that_exert_nothing_by_themselves_are_reported(read):
         assert f"actuator {name}: is not used, and no effect does the same" in messages
     off = DRIVES.replace("<tendon>", '<option><flag actuation="disable"/></option><tendon>')
     assert "actuator p: is switched off in MuJoCo" in read(more=off).unused
+
+
+CABLES = """<tendon><spatial name="s" stiffness="300" damping="2" springlength="0.1" range="0 1"
+limited="true" frictionloss="0.1"><site site="x"/><site site="z"/></spatial><spatial name="w"
+damping="3"><site site="z"/><site site="world"/></spatial><spatial name="rigid" stiffness="3"><site
+site="x"/><site site="y"/></spatial></tendon>"""
+
+
+def test_tendons_between_two_sites_are_springs_and_dampers(read, tmp_path):
+    text = ROBOT.replace("<FREE/>", "").replace('<joint name="wag"', SITES).replace(
+        '<joint name="swing"', '<site name="z" pos="0.1 0.2 0.3"/><joint name="swing"').replace(
+        "<worldbody>", '<worldbody><site name="world" pos="1 2 3"/>')
+    scene = read(text, CABLES)
+    assert [x.name for x in scene.effects if x.effect.pair_force] == [
+        "spring_damper.s", "spring_damper.w"]
+    worst = compared(scene, mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml")))
+    assert max(worst.mass_matrix, worst.bias, worst.torques) < 2e-13, worst
+    for what in ("friction", "range"):
+        assert f"tendon s: its {what} is used by no effect" in scene.unused
+
+
+ROTORS = """<tendon><fixed name="t" armature="0.4"><joint joint="roll" coef="0.7"/><joint
+joint="reach" coef="-2"/></fixed></tendon><actuator><motor joint="wag" gear="3" armature="0.2"
+damping="0.5"/><motor name="t" tendon="t" gear="2" armature="0.1" damping="0.6"/></actuator>"""
+
+
+def test_armature_of_tendons_and_actuators_is_inertia_of_sums(read, tmp_path):
+    """The joints are in one chain: MuJoCo's mass matrix has no place for terms of two branches."""
+    scene = read(more=ROTORS)
+    assert {"armature.t", "armature.rotor of t", "viscous.rotor of actuator0"} <= {
+        x.name for x in scene.effects}
+    worst = compared(scene, mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml")))
+    assert max(worst.mass_matrix, worst.bias, worst.torques) < 2e-13, worst
 
 
 def test_tendons_act_on_sums_of_coordinates(read, tmp_path):

@@ -146,11 +146,17 @@ def test_wider_than_registers_is_refused(tmp_path: Path):
 
 # From Python
 
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache of its own: other tests' may hold what these see compiled."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.fixture(params=(pendulum, slider))
-def kernels(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def kernels(request: pytest.FixtureRequest, compiled: Path, monkeypatch: pytest.MonkeyPatch
             ) -> Kernels:
     """Kernels that compute in lanes from 100 states on."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(compiled))
     monkeypatch.setattr(lanes, "PAYS", 100)
     return kernels_of(request.param())
 
@@ -244,10 +250,15 @@ def test_runs_have_help_of_their_own(kernels: Kernels):
     assert [*inspect.signature(result).parameters] == ["n", "t", "h", "p", "q", "v", "threads"]
 
 
-def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):
+@pytest.mark.parametrize("scene", (pendulum, slider))
+def test_lanes_are_compiled_when_they_pay(scene: Callable[[], SceneFunctions], tmp_path: Path,
+                                          monkeypatch: pytest.MonkeyPatch):
     def libraries() -> int:
         return len(list((tmp_path / "coscrew").glob("*.so")))
 
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(lanes, "PAYS", 100)
+    kernels = kernels_of(scene())
     described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
     before = libraries()
     for count, more in ((60, 0), (39, 0), (1, 1), (500, 1)):
@@ -267,8 +278,10 @@ def test_states_without_room_for_their_results_do_not_count(kernels: Kernels):
     assert kernels._lanes._met == 0
 
 
-def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
+def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels, tmp_path: Path,
                                                       monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))  # none are compiled yet
+
     def fail(*_: object) -> None:
         raise compilation.CompilationError("no such vectors")
 

@@ -27,7 +27,7 @@ from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.evaluation import DOUBLE, evaluator
 from tests.support.scenes.generated_scenes import BANNER, CASES, argument, robot
 from tests.support.scenes.kinds import Kind
-from tests.support.scenes.mechanisms import Y, at, chain, inertia, scene
+from tests.support.scenes.mechanisms import Y, Z, at, chain, inertia, scene
 
 LENGTHS = (1, 25, 600)
 
@@ -177,3 +177,25 @@ def test_parts_are_the_same_on_every_hash_seed():
                            env={**os.environ, "PYTHONHASHSEED": seed}).stdout
             for seed in ("1", "2")}
     assert len(made) == 1
+
+
+def _texts(functions: SceneFunctions) -> dict[str, str]:
+    """The text of each function in double precision, by name."""
+    text = scene_c.files(functions, BANNER)["chain.c"]
+    return {match[1]: match[0] for match in re.finditer(
+        r"^void chain_(\w+)\([^{]*\{\n.*?^\}", text, re.S | re.M)}
+
+
+def test_functions_beside_a_long_one_are_as_without(monkeypatch: pytest.MonkeyPatch):
+    links = [(Kind.REVOLUTE, (Y, Z)[n % 2], at(0, 0, 1), inertia(1, (0, 1, 2), (3, 4, 5, 0, 0, 0)))
+             for n in range(4)]
+    model = scene(chain(*links, name="chain"))
+    short = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+    functions = derive(model, (*short, "forward_dynamics_derivatives"))
+    longest = max(len(functions.named(x).program.instructions) for x in short)
+    monkeypatch.setattr(scene_c_parts, "LONG", longest)
+    monkeypatch.setattr(scene_c_parts, "LONGEST", 50)
+    alone, beside = _texts(derive(model, short)), _texts(functions)
+    assert alone.keys() == {*short} and all(beside[name] == alone[name] for name in short)
+    assert "part_1_of_" in beside["forward_dynamics_derivatives"]
+    assert not any("part_1_of_" in text for text in alone.values())

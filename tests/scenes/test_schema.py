@@ -102,6 +102,11 @@ axis2 = [0, 1, 0]
 kind = "rod"
 bodies = ["d", "world"]
 length = 0.5
+[loops.cam]
+kind = "law"
+joints = { one = 1 }
+leaders = { "four.1" = 1 }
+polynomial = [0, 1, 0.5]
 [effects.gravity]
 g = [0, 0, -9.81]
 [effects.viscous]
@@ -192,8 +197,8 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "x", "p", "expect",
-               "contact", "spring_damper", "viscous", "wrench")
+        own = ("accuracy", "attach", "frames", "bodies", "joints", "leaders", "q", "v", "x", "p",
+               "expect", "contact", "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path
         for key, inner in value.items():
@@ -261,7 +266,7 @@ def test_effects_have_their_parameters_and_no_others(effect):
     own = SCHEMA["definitions"][effect.name]
     names = {parameter.name for parameter in effect.parameters}
     extra = {"bodies"} if effect.parts else {Place.BODY: {"body"}, Place.PAIR: {"bodies"}}.get(
-        effect.place, {"joints"} if effect.joint_torque else set())
+        effect.place, {"joints"} if effect.on_sums else set())
     assert set(own["properties"]) == names | extra and own["additionalProperties"] is False
     for parameter in effect.parameters:
         if parameter.choices:

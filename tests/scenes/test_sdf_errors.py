@@ -49,7 +49,9 @@ REFUSED = {
                  "<damping> of <dynamics> is -1; wanted 0 or more"),
     "limits": (chain(hinge("<xyz>0 0 1</xyz><limit><lower>2</lower><upper>1</upper></limit>")),
                "lower, 2, is above upper, 1"),
-    "mass": (chain(hinge()).replace("<mass>1<", "<mass>0<", 1), "mass 0 kg, for which SDF's"),
+    "mass": (chain(hinge()).replace("<mass>1<", "<mass>0<", 1), "mass 0 kg, for which other "
+             'programs take 1 kg, or none; wanted a positive mass, or implausible = "warn": none'),
+    "negative mass": (chain(hinge()).replace("<mass>1<", "<mass>-1<", 1), "wanted a positive mass"),
     "twice": (chain(hinge()).replace("<mass>1</mass>", "<mass>1</mass>" * 2, 1), "<mass> occurs "
               "twice in <inertial>"),
     "weightless": (chain(hinge()).replace("</link>", "<gravity>0</gravity></link>", 1),
@@ -72,7 +74,7 @@ REFUSED = {
                         "too; wanted another one"),
     "link and joint": (chain(hinge(name="a")), "joint 'a': the <link> in line 1 has this"),
     "world": (chain(hinge()).replace('"a"', '"world"'), "name 'world' of <link>; wanted one line"),
-    "loop": (chain(hinge() + hinge(name="k")), "body 'b': is the child of two joints, 'j' and "),
+    "one link": (chain(hinge(parent="b")), "joint 'j': parent and child are the same body, 'b'"),
     "several roots": (chain(""), "several roots ('a', 'b')"),
     "flag": (chain(hinge(), more="<static>no</static>"), "static 'no' of <model>; wanted true "),
     "impossible": (chain(hinge()).replace("<ixx>0.05", "<ixx>5"), "line 1, body 'a': "),
@@ -100,3 +102,10 @@ def test_defaults_of_inertias_are_taken_on_demand(read, old, lacks, taken):
     inertia = model.bodies[0].inertia
     assert lacks == "inertia" or inertia.mass == 1
     assert lacks == "mass" or inertia.moments == (1, 1, 1, 0, 0, 0)
+
+
+def test_a_mass_of_zero_is_none_on_demand(read):
+    scene = read(chain(hinge()).replace("<mass>1<", "<mass>0<", 1), implausible="warn")
+    assert scene.model.bodies[0].inertia is None
+    assert scene.model.implausible == (
+        "body 'a': mass 0 kg; taken as a frame without inertia",)

@@ -20,6 +20,9 @@ from coscrew_codegen.scene.function_selection import (
     FREE,
     LOOPS,
     MOST,
+    OF_STATES,
+    STATE_RATES,
+    SWITCHES,
     FunctionsError,
     names,
     refuse_many,
@@ -87,7 +90,9 @@ def test_the_step_is_that_of_the_run(integrator):
 def test_each_function_can_stand_alone(name: str, tmp_path: Path):
     """Nothing else is declared; its text is the same as among all others; it compiles without a
     warning, of unused functions either."""
-    for absent, why in ((FREE, "no base is floating"), (LOOPS, "no loop is closed")):
+    for absent, why in ((FREE, "no base is floating"), (LOOPS, "no loop is closed"),
+                        ((STATE_RATES,), "no effect has states"),
+                        ((SWITCHES,), "no effect has switches")):
         if name in absent:
             with pytest.raises(FunctionsError, match=f"arm: there is no {name}: {why}"):
                 derive(arm(name))
@@ -124,8 +129,9 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 
 def test_all_functions_have_names_and_names_have_functions():
-    """The two scenes together have everything that a scene without closed loops can have."""
-    result = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))} | {*LOOPS}
+    """The two scenes together have everything that a scene without closed loops and states of
+    effects can have."""
+    result = {*public(arm(*ALL)), *public(flyer(*ALL)), *LOOPS, *OF_STATES}
     assert result == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < result and "reaction_j2" not in result
 

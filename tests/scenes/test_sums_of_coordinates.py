@@ -4,6 +4,7 @@ MuJoCo's fixed tendons, closed forms and differences in 50 digits are the truth.
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from pathlib import Path
 
 import mpmath
 import mujoco
@@ -15,10 +16,11 @@ from coscrew_codegen import load_scene, run
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.effect_quantities import units_of
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
+from coscrew_codegen.scene.scene import Applied
 from tests.support.each import each_precision
 from tests.support.scenes.differences import check
 from tests.support.scenes.effect_laws import assert_same, multiprecise
@@ -113,8 +115,12 @@ ACTING = (gravity(), on_sum("spring", term("j1", 2), term("j2", HALF), k=7),
           applied("viscous", "j3", d=1))
 
 
-def test_energy_changes_by_what_is_fed_in() -> None:
-    f = multiprecise(mechanism(), *ACTING)
+ROTOR = on_sum("armature", term("j1", 2), term("j2", HALF), rotor=HALF, gear=3)
+
+
+@pytest.mark.parametrize("acting", [ACTING, (*ACTING, ROTOR)], ids=["massless", "with a rotor"])
+def test_energy_changes_by_what_is_fed_in(acting: Sequence[Applied]) -> None:
+    f = multiprecise(mechanism(), *acting)
     x = random_state(f, 1)
     a = f("forward_dynamics", **x)
 
@@ -126,8 +132,72 @@ def test_energy_changes_by_what_is_fed_in() -> None:
     assert abs((energy(STEP) - energy(-STEP)) / (2 * STEP) - fed) < mpf(10)**-20
 
 
-def test_derivatives_are_differences() -> None:
-    check(scene(mechanism(), *ACTING))
+@pytest.mark.parametrize("more", [(), (ROTOR,)], ids=["massless", "with a rotor"])
+def test_derivatives_are_differences(more: Sequence[Applied]) -> None:
+    check(scene(mechanism(), *ACTING, *more))
+
+
+def test_a_rotor_on_a_sum_adds_a_term_to_the_mass_matrix() -> None:
+    """M = diag(2, 5) + I e e^T with I = 9 rotor and e = (2, -3)."""
+    rotor, h = on_sum("armature", *TWO, rotor=HALF, gear=3), mpf("0.3")
+    f = multiprecise(sliders(), rotor, on_sum("spring", *TWO, k=700), on_sum("viscous", *TWO, d=90))
+    q, v, a = [mpf("0.3"), mpf("-1.1")], [mpf(3), mpf("0.2")], [mpf(-2), mpf(7)]
+    e, I = mpmath.matrix([2, -3]), mpf("4.5")
+    s, rate, faster = (sum(x * y for x, y in zip(e, z, strict=True)) for z in (q, v, a))
+    M, u = mpmath.matrix([[2, 0], [0, 5]]) + I * (e * e.T), -700 * s - 90 * rate
+    assert_same(f("mass_matrix", q=q), list(M))
+    assert_same(f("inverse_dynamics", q=q, v=v, a=a), list(M * mpmath.matrix(a) - e * u))
+    assert_same(f("forward_dynamics", q=q, v=v, tau=[1, 2]), list(
+        mpmath.lu_solve(M, mpmath.matrix([1, 2]) + e * u)))
+    assert_same(f("energy", q=q, v=v)[:1], [(2 * v[0]**2 + 5 * v[1]**2 + I * rate**2) / 2])
+    assert_same(f.components("effect_armature_s", q=q, v=v), [I * rate**2 / 2])
+    implicit = mpmath.lu_solve(M + (h * 90 + h**2 * 700) * (e * e.T), e * (u - h * 700 * rate))
+    assert_same(f("implicit_acceleration", h=h, q=q, v=v), list(implicit))
+
+
+def test_a_rotor_on_one_term_is_that_of_the_joint() -> None:
+    single = on_sum("armature", TWO[0], inertia=7), on_sum("viscous", TWO[0], d=3)
+    joint = applied("armature", "j0", inertia=28), applied("viscous", "j0", d=12)
+    f, g = (multiprecise(chain_of_three(), gravity(), *x) for x in (single, joint))
+    x = {**random_state(f, 2), "h": mpf(1) / 8}
+    for name in ("inverse_dynamics", "mass_matrix", "forward_dynamics", "energy",
+                 "implicit_acceleration", "midpoint_acceleration"):
+        one, other = (y(name, a=x["tau"], **x) for y in (f, g))
+        assert_same(list(one), list(other))
+
+
+def test_a_rotor_counts_for_the_leader_of_a_follower() -> None:
+    """q_k = -3/2 q_0: the sum of q_k and q_1 has the weights -3/2 and 1."""
+    terms, same = (term("k", 1), term("j1", 1)), (term("j0", Fraction(-3, 2)), term("j1", 1))
+    f, g = (multiprecise(chain_of_three(), gravity(), applied("mimic"), on_sum(
+        "armature", *x, inertia=2)) for x in (terms, same))
+    x = random_state(f, 2)
+    for name in ("inverse_dynamics", "mass_matrix", "forward_dynamics", "energy"):
+        one, other = (y(name, a=x["tau"], **x) for y in (f, g))
+        assert_same(list(one), list(other))
+
+
+MASSLESS = """bodies = { a = {}, b = { mass = 1, com = [1, 0, 0], inertia = [0.1, 0.2, 0.2] } }
+[joints]
+motor = { type = "continuous", child = "a", axis = [0, 0, 1] }
+crank = { type = "continuous", child = "b", axis = [0, 0, 1] }
+[effects.armature.drive]
+joints = { motor = 1, crank = -2 }
+inertia = 0
+"""
+
+
+def test_a_rotor_on_a_sum_holds_a_joint_without_mass(tmp_path: Path) -> None:
+    """Without it the mass matrix is singular."""
+    path = tmp_path / "motor.toml"
+    path.write_text(MASSLESS)
+    with pytest.warns(RuntimeWarning, match="joint 'motor' moves nothing that has a mass"):
+        load_scene(path)
+    path.write_text(MASSLESS.replace("inertia = 0\n", "inertia = 0.3\n"))
+    a = load_scene(path, functions=["forward_dynamics"]).double.forward_dynamics(
+        [0, 0], [0, 0], [1.0, 0])
+    # rotor: 0.3 (a0 - 2 a1) = 1; crank: 1.2 a1 - 0.6 (a0 - 2 a1) = 0
+    assert np.abs(a - [1 / 0.3 + 2 * 2 / 1.2, 2 / 1.2]).max() < 1e-14
 
 
 def test_a_followers_weight_counts_for_its_leader() -> None:
@@ -288,16 +358,34 @@ SPRING = "[effects.spring.cable]\njoints = { wrist = -0.5, elbow = 1 }"
     ('type = "planar", child = "hull", axis = [0, 0, 1]', 'type = "free", child = "hull"',
      "is free, and a quaternion is in no sum; wanted joints whose coordinates are angles and "
      "lengths"),
-    ("[effects.viscous.cable]", "[effects.armature.cable]",
-     "armature acts on joints, not on a sum of their coordinates; wanted a table for each joint"),
+    ("[effects.viscous.cable]", "[effects.reaction.cable]",
+     "reaction acts on joints, not on a sum of their coordinates; wanted a table for each joint"),
     ('torque = "sin(5*t)"', 'torque = "sin(5*t)"\ngravity_compensation = true', "actuator.drive "
      "acts on a sum of coordinates, which no torque holds; wanted no gravity_compensation there")])
 def test_wrong_sums_are_refused(tmp_path, old, new, message):
     assert old in TEXT
-    text = TEXT.replace(old, new).replace("d = 2", "inertia = 2" if "armature" in new else "d = 2")
+    text = TEXT.replace(old, new)
     if "free" in new:
         text = text.replace("table = [0.3, 0.1, 0]", "")
     (tmp_path / "sums.toml").write_text(text)
     with pytest.raises(SceneError) as caught:
         read_scene(tmp_path / "sums.toml")
     assert message in str(caught.value)
+
+
+ROTOR_FILE = MJCF.replace('stiffness="40" damping="3"\nspringlength="0.3"', 'armature="5"').replace(
+    'name="one"', 'name="one" damping="2"').replace('name="two"', 'name="two" stiffness="7"')
+
+
+def test_derivatives_of_steps_with_a_rotor_on_a_sum_are_differences(tmp_path):
+    """Damped and elastic at joints, so that the equations of the step are differentiated as a
+    whole."""
+    (tmp_path / "robot.xml").write_text(ROTOR_FILE)
+    ours = load_scene(tmp_path / "robot.xml", functions=["default", "step_leapfrog_derivatives"])
+    rng, h, eps = np.random.default_rng(2), 0.05, 1e-6
+    x = rng.normal(size=6)
+    moved = x + eps * np.vstack([np.eye(6), -np.eye(6)])
+    ends = np.hstack(ours.double.step_leapfrog(h, moved[:, :3], moved[:, 3:]))
+    A = ours.double.step_leapfrog_derivatives(h, x[:3], x[3:])[-1]
+    differences = ((ends[:6] - ends[6:]) / (2 * eps)).T
+    assert np.abs(A - differences).max() < 1e-8 * np.abs(A).max()

@@ -3,6 +3,7 @@ shown.  They change no motion: a fault in one refuses nothing."""
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,8 @@ import pytest
 
 from coscrew_codegen.scene.content import hashed
 from coscrew_codegen.scene.mechanism.model import Model
-from coscrew_codegen.scene.mechanism.visual import Visual, from_rpy
+from coscrew_codegen.scene.mechanism.rotations import from_rpy
+from coscrew_codegen.scene.mechanism.visual import Visual, from_rotation
 from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
@@ -75,7 +77,7 @@ def test_quaternions_turn_as_roll_pitch_yaw_do(angles):
         R[i, j], R[j, i] = -math.sin(angle), math.sin(angle)
         return R
 
-    x, y, z, w = from_rpy(*angles)
+    x, y, z, w = from_rotation([float(x) for x in from_rpy(*map(Fraction, angles))])
     R = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
                   [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
                   [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])

@@ -6,7 +6,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene.readers.xacro_reader import READER
+from coscrew_codegen.scene.readers.xacro.xacro_reader import READER
 from tests.support.scenes.reading import read_urdf
 
 pytest.importorskip("xacro", reason='needs pip install "coscrew[xacro]"')
@@ -53,9 +53,10 @@ def test_packages_are_found_by_name_or_description(site):
     """Beside the file or above it; what is given comes first."""
     folder = site / "limbs"
     moved = folder.rename(site / "limbs-2.1")
-    with pytest.raises(SceneError, match="package 'limbs' is not beside the file or above it; "
-                                         "wanted --package limbs=FOLDER, or packages"):
+    with pytest.raises(SceneError, match="xacro: package 'limbs' is not beside the file or above "
+                                         "it; wanted --package limbs=FOLDER, or packages") as error:
         read(site)
+    assert str(error.value).count("is not beside") == 1
     (moved / "package.xml").write_text("<package><name> limbs </name></package>")
     assert len(read(site).joints) == 3
     (site / "other/macros").mkdir(parents=True)

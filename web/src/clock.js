@@ -5,9 +5,11 @@ const STEPS = 100;  // steps of the arrow keys in a run
 const PLAY = "M8 5v14l11-7z", PAUSE = "M6 5h4v14H6zm8 0h4v14h-4z";
 
 export class Clock {
-  // `changed` is called whenever the time, or whether it runs, has changed.
-  constructor(begin, end, changed) {
-    Object.assign(this, { begin, end, changed, time: begin, playing: false, last: null });
+  // `samples` are the recorded times; `changed` is called whenever the time, or whether it runs,
+  // has changed.
+  constructor(begin, end, samples, changed) {
+    Object.assign(this, { begin, end, samples, changed, time: begin, playing: false, last: null,
+                          loops: false });
     this.speed = Number($("speed").value);
     this.digits = Math.min(6, Math.max(2, Math.ceil(2 - Math.log10(end - begin || 1))));
     $("time").min = begin;
@@ -45,11 +47,20 @@ export class Clock {
     this.seek(this.time + count * (this.end - this.begin) / STEPS);
   }
 
+  // Go to the next recorded time, or the one before.
+  sample(next) {
+    const near = 1e-9 * (this.end - this.begin);
+    this.play(false);
+    this.seek((next ? this.samples.find(x => x > this.time + near)
+      : this.samples.findLast(x => x < this.time - near)) ?? this.time);
+  }
+
   // Let the time run until `now`, in ms.
   tick(now) {
     if (!this.playing) return;
     if (this.last !== null) this.time += this.speed * (now - this.last) / 1000;
     this.last = now;
+    if (this.time >= this.end && this.loops) this.time = this.begin;
     if (this.time < this.end) {
       this.show();
       return;
@@ -72,7 +83,8 @@ export class Clock {
     const action = {
       " ": () => this.play(!this.playing), ArrowLeft: () => this.step(-1),
       ArrowRight: () => this.step(1), Home: () => this.seek(this.begin),
-      End: () => this.seek(this.end) }[event.key];
+      End: () => this.seek(this.end), ",": () => this.sample(false),
+      ".": () => this.sample(true) }[event.key];
     if (action) action();
     return Boolean(action);
   }

@@ -3,6 +3,7 @@ import { Quaternion, Vector3 } from "three";
 import { tips } from "./marks.js";
 
 const POINTS = 8000, FEWEST = 24, MOST = 240;  // instants, for so many points in all
+const RISE = 10;  // sizes of the robot, which fit into a picture one above the other
 
 export class Extent {
   // `turn` brings the recording's upward direction to z.
@@ -23,7 +24,7 @@ export class Extent {
     const swept = this.high.clone().sub(this.low).length();
     this.size = Math.max(this.size, 1e-9);
     this.travels = swept > 1.6 * this.size && !this.stays;
-    this.rises = this.high.z - this.low.z >= 2 * this.size;
+    this.rises = this.high.z - this.low.z >= RISE * this.size;
     this.middle = (this.low.z + this.high.z) / 2;
     for (const point of still) {
       this.low.min(point);
@@ -73,13 +74,16 @@ export class Extent {
   // A rise that fits into the picture is seen, not followed.
   level(centre) { return this.rises ? centre : centre.setZ(this.middle); }
 
+  // The centre at a time, as the camera follows it.
+  centre(time, result) { return this.level(this.place(time, result)); }
+
   // The centre at a time.
-  centre(time, result) {
+  place(time, result) {
     let i = 0;
     while (i < this.times.length - 1 && this.times[i + 1] <= time) i++;
     const next = Math.min(i + 1, this.times.length - 1), span = this.times[next] - this.times[i];
     const share = span > 0 ? Math.min(Math.max((time - this.times[i]) / span, 0), 1) : 0;
-    return this.level(result.copy(this.centres[i]).lerp(this.centres[next], share));
+    return result.copy(this.centres[i]).lerp(this.centres[next], share);
   }
 }
 

@@ -7,12 +7,14 @@ import {
 
 const X = new Vector3(1, 0, 0), Y = new Vector3(0, 1, 0), Z = new Vector3(0, 0, 1);
 const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()], spare = new Quaternion();
-const LONGEST = .33;  // length of the longest arrow, in sizes of the robot
+const LONGEST = .33, TYPICAL = .2;  // lengths of arrows, in sizes of the robot
+const MOST = .9;  // the share of forces whose arrows are at most TYPICAL
 const above = colour => new MeshBasicMaterial({
   color: colour, depthTest: false, transparent: true, toneMapped: false,
 });
 
-// Red, green and blue axes of the frames of all bodies that joints move.
+// Red, green and blue axes of the frames of all bodies that joints move, and a thin line along the
+// joint's axis.
 export function frames(recording, robot, size) {
   const group = new Group(), length = .07 * size;
   for (const joint of recording.joints.filter(x => x.moves)) {
@@ -22,6 +24,13 @@ export function frames(recording, robot, size) {
         .translate(0, length / 2, 0), above(colour));
       bar.quaternion.setFromUnitVectors(Y, axis);
       bar.renderOrder = 5;
+      frame.add(bar);
+    }
+    if (joint.axis) {
+      const bar = new Mesh(new CylinderGeometry(.02 * length, .02 * length, 3 * length, 10),
+                           above(0xf5b301));
+      bar.quaternion.setFromUnitVectors(Y, a.fromArray(joint.axis));
+      bar.renderOrder = 4;
       frame.add(bar);
     }
     frame.userData.body = joint.child;
@@ -36,7 +45,7 @@ export function frames(recording, robot, size) {
   return { group, update };
 }
 
-// A ball at each centre of mass, of a volume in proportion to the mass.
+// A ball at each centre of mass, of a volume in proportion to the mass, and one at that of all.
 export function masses(recording, robot, size) {
   const group = new Group(), most = Math.max(...recording.bodies.map(x => x.mass));
   recording.bodies.forEach((body, number) => {
@@ -48,11 +57,21 @@ export function masses(recording, robot, size) {
     ball.userData = { number, com: new Vector3().fromArray(body.com) };
     group.add(ball);
   });
+  const balls = [...group.children], whole = new Mesh(new SphereGeometry(.022 * size, 20, 14),
+                                                      above(0xd6409f));
+  whole.renderOrder = 5;
+  if (balls.length > 1) group.add(whole);
   const update = () => {
-    for (const ball of group.children) {
+    let sum = 0;
+    whole.position.set(0, 0, 0);
+    for (const ball of balls) {
       const { position, quaternion } = robot.bodies[ball.userData.number];
+      const { mass } = recording.bodies[ball.userData.number];
       ball.position.copy(ball.userData.com).applyQuaternion(quaternion).add(position);
+      whole.position.addScaledVector(ball.position, mass);
+      sum += mass;
     }
+    whole.position.divideScalar(sum || 1);
   };
   return { group, update };
 }
@@ -115,34 +134,42 @@ function tube(path, radius, sides) {
   return geometry;
 }
 
-// The arrows with their signals' numbers, and the largest force.
-function forces(recording) {
+// The arrows with their signals' numbers, and a function from a force to its arrow's length in
+// sizes of the robot: in proportion, but for the shocks, which would make all others too small.
+export function forces(recording) {
   const signals = recording.groups.flatMap(group => group.signals);
   const given = recording.arrows.map(arrow => ({
     ...arrow, numbers: arrow.signals.map(name => signals.find(x => x.name === name).numbers) }));
-  let most = 0;
-  for (const { numbers: [x, y, z] } of given) {
-    x.forEach((_, i) => { most = Math.max(most, Math.hypot(x[i], y[i], z[i]) || 0); });
-  }
-  return { given, most: most || 1 };
+  const sizes = given.flatMap(({ numbers: [x, y, z] }) =>
+    Array.from(x, (_, i) => Math.hypot(x[i], y[i], z[i]))).filter(x => x > 0).sort((x, y) => x - y);
+  const typical = sizes[Math.floor(MOST * (sizes.length - 1))] || 1;
+  return { given, length: force => Math.min(TYPICAL * force / typical, LONGEST) };
+}
+
+// From the centre of a contact's shape to where it touches.
+function lowered({ radius }, recording, point) {
+  if (!radius) return point;
+  return point.addScaledVector(c.fromArray(recording.ground?.normal ?? [0, 0, 1]), -radius);
 }
 
 // A function from a sample to the points of all arrows.
 export function tips(recording, size) {
-  const { given, most } = forces(recording), pose = { at: new Vector3(), turn: new Quaternion() };
-  return sample => given.map(({ body, point, numbers, turns }) => {
-    recording.main.stored(body, sample, pose);
-    const tip = new Vector3(...numbers.map(x => x[sample] || 0)).multiplyScalar(
-      LONGEST * size / most);
-    if (turns) tip.applyQuaternion(pose.turn);
-    return tip.add(a.fromArray(point).applyQuaternion(pose.turn)).add(pose.at);
+  const { given, length } = forces(recording);
+  const pose = { at: new Vector3(), turn: new Quaternion() };
+  return sample => given.map(arrow => {
+    recording.main.stored(arrow.body, sample, pose);
+    const tip = new Vector3(...arrow.numbers.map(x => x[sample] || 0));
+    tip.setLength(size * length(tip.length()));
+    if (arrow.turns) tip.applyQuaternion(pose.turn);
+    tip.add(a.fromArray(arrow.point).applyQuaternion(pose.turn)).add(pose.at);
+    return lowered(arrow, recording, tip);
   });
 }
 
-// Arrows of recorded forces, the longest a third of the robot's size; each stands on a point of
-// its body, and its components are in the body's axes or the world's.
+// Arrows of recorded forces; each stands on a point of its body, and its components are in the
+// body's axes or the world's.
 export function arrows(recording, robot, size) {
-  const { given, most } = forces(recording);
+  const { given, length: lengthOf } = forces(recording), still = new Group();
   const group = new Group(), thick = .0045 * size, head = .03 * size;
   for (const arrow of given) {
     const material = above(arrow.colour), one = new Group();
@@ -156,12 +183,13 @@ export function arrows(recording, robot, size) {
   const update = () => {
     for (const one of group.children) {
       const { body, point, numbers, turns } = one.userData, [shaft, tip] = one.children;
-      const { position, quaternion } = robot.bodies[body];
+      const { position, quaternion } = robot.bodies[body] ?? still;
       a.set(...numbers.map(x => recording.main.value(x)));
-      const length = LONGEST * size * a.length() / most;
+      const length = size * lengthOf(a.length());
       one.visible = length > 1e-3 * size;
       if (!one.visible) continue;
       one.position.fromArray(point).applyQuaternion(quaternion).add(position);
+      lowered(one.userData, recording, one.position);
       a.normalize();
       if (turns) a.applyQuaternion(quaternion);
       one.quaternion.copy(spare.setFromUnitVectors(Y, a));

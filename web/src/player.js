@@ -8,14 +8,15 @@ import { Plots } from "./plots.js";
 import { pointing } from "./pointer.js";
 import { Recording } from "./recording.js";
 import { collisions, Robot, shapesOf } from "./robot.js";
-import { Stage } from "./stage.js";
+import { SIDES, Stage } from "./stage.js";
 import { ties } from "./ties.js";
 import { Tools } from "./tools.js";
+import { Tree } from "./tree.js";
 
 const $ = id => document.getElementById(id);
 const GHOSTS = [0xf2711c, 0x8e4ec6, 0x2a9d5c], TOUCHING = 0xe0a100;
 const CONTROLS = ["BUTTON", "INPUT", "SELECT", "SUMMARY", "OUTPUT"];
-const NARROW = 640;  // px, below which the tools stand above the bar
+const ROOM = 8;  // px between the robot and the controls
 
 class Player {
   constructor(data, block) {
@@ -24,7 +25,8 @@ class Player {
     this.dirty = true;
     this.gap = null;
     const touch = () => { this.dirty = true; };
-    this.clock = new Clock(this.recording.begin, this.recording.end, touch);
+    this.clock = new Clock(this.recording.begin, this.recording.end, this.recording.main.times,
+                           touch);
     this.space = new Group();
     const up = new Vector3().fromArray(data.up);
     this.space.quaternion.copy(new Quaternion().setFromUnitVectors(up, new Vector3(0, 0, 1)));
@@ -50,7 +52,10 @@ class Player {
   // Build the stage, and everything that is drawn on it.
   open() {
     const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    const stage = new Stage($("space"), this.extent, dark);
+    const land = this.recording.ground;
+    if (land?.heights) land.values = this.recording.array(land.heights);
+    const stage = new Stage($("space"), this.extent, dark, land && {
+      ...land, turn: this.space.quaternion });
     const { recording, robot, tools, space, extent: { size } } = this;
     space.add(robot.group);
     stage.scene.add(space);
@@ -73,32 +78,65 @@ class Player {
     tools.add("Names", "n", false, () => ({
       ...labels(recording, robot, $("labels"), $("space"), stage.camera),
       show: on => { $("labels").hidden = !on; } }), space);
-    tools.action("Reset view", "r", () => this.fit());
-    pointing(recording, robot, stage, () => { this.dirty = true; });
-    stage.controls.addEventListener("change", () => { this.dirty = true; });
+    tools.add("See-through", "s", false, () => ({ show: on => robot.fade(on) }), space);
+    const touch = () => { this.dirty = true; };
+    this.tree = new Tree(recording, this.robots, touch);
+    tools.add("Bodies", "b", false, () => ({ show: on => { $("tree").hidden = !on; },
+                                             update: () => this.tree.update() }), space);
+    tools.add("Loop", "l", false, () => ({ show: on => { this.clock.loops = on; } }), space);
+    tools.action("Picture", "p", () => this.save());
+    tools.menu("View", [["First view", "r", () => this.fit()],
+                        ["Along x", "x", () => this.fit(SIDES.x)],
+                        ["Along y", "y", () => this.fit(SIDES.y)],
+                        ["From above", "z", () => this.fit(SIDES.z)]]);
+    pointing(recording, robot, stage, this.tree, touch);
+    stage.controls.addEventListener("change", touch);
+    stage.controls.addEventListener("start", () => { this.fitted = false; });
     this.stage = stage;
   }
 
-  fit() {
-    const narrow = innerWidth < NARROW;
-    this.stage.fit(this.clock.time, narrow ? 30 : 52, narrow ? 118 : 84);
-    this.dirty = true;
+  // Show the whole robot between the controls: tools stand above it, or, where it is narrow, below.
+  fit(from) {
+    const [stage, tools, bar] = ["stage", "tools", "bar"].map(x => $(x).getBoundingClientRect());
+    const below = tools.top > stage.top + stage.height / 2;
+    this.stage.fit(this.clock.time, (below ? 0 : tools.bottom - stage.top) + ROOM,
+                   stage.bottom - (below ? tools.top : bar.top) + ROOM, from);
+    Object.assign(this, { from, fitted: true, dirty: true });  // until somebody turns it
+  }
+
+  // Save the picture on the page's background.
+  save() {
+    const { canvas } = this.stage, sheet = document.createElement("canvas");
+    const context = sheet.getContext("2d");
+    this.update();  // the canvas has its content until the browser takes it
+    Object.assign(sheet, { width: canvas.width, height: canvas.height });
+    context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--near");
+    context.fillRect(0, 0, sheet.width, sheet.height);
+    context.drawImage(canvas, 0, 0);
+    const link = document.createElement("a");
+    link.download = `${document.title.split(":")[0]} ${this.clock.time.toFixed(3)} s.png`;
+    link.href = sheet.toDataURL("image/png");
+    link.click();
   }
 
   listen() {
     document.addEventListener("keydown", event => {
-      const own = CONTROLS.includes(event.target.tagName);
+      const { tagName } = event.target, letter = event.key.length === 1 && event.key !== " ";
+      const own = CONTROLS.includes(tagName) && !(letter && tagName !== "SELECT");
       if (own || this.stage && event.target === $("space") && this.turn(event)) return;
       if (this.clock.key(event) || this.tools.key(event)) event.preventDefault();
     });
     const resize = () => {
       this.stage?.resize();
       this.plots.resize();
+      if (this.fitted) this.fit(this.from);
       this.dirty = true;
     };
     new ResizeObserver(resize).observe($("stage"));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", event => {
+      this.stage?.restyle(event.matches);
       this.plots.restyle();
+      this.dirty = true;
     });
     resize();
     if (this.stage) this.fit();
@@ -114,7 +152,7 @@ class Player {
     if (!action) return false;
     event.preventDefault();
     action();
-    this.dirty = true;
+    Object.assign(this, { fitted: false, dirty: true });
     return true;
   }
 

@@ -1,14 +1,26 @@
-// The body under the pointer: it glows, and its name, mass and joint stand beside the pointer.
+// The body under the pointer: it glows, and its name, mass and joint stand beside the pointer.  A
+// click selects it, a double click brings the view to the place.
 import { Raycaster, Vector2 } from "three";
+import { words } from "./tree.js";
 
-export function pointing(recording, robot, stage, changed) {
+const CLICK = 4;  // px that a click moves at most
+
+export function pointing(recording, robot, stage, tree, changed) {
   const tip = document.getElementById("tip"), ray = new Raycaster(), at = new Vector2();
   const canvas = stage.canvas;
-  let lit = null;
+  let pressed = [0, 0];
+  const hit = event => {
+    const box = canvas.getBoundingClientRect();
+    at.set(2 * (event.clientX - box.left) / box.width - 1,
+           1 - 2 * (event.clientY - box.top) / box.height);
+    ray.setFromCamera(at, stage.camera);
+    return ray.intersectObjects(robot.bodies.filter(x => x.visible), true)[0];
+  };
+  const bodyOf = found => found ? found.object.parent.userData.body : null;
   const show = body => {
-    if (body === lit) return;
-    lit = body;
-    robot.glow(body);
+    if (body === robot.lit) return;
+    robot.lit = body;
+    robot.light();
     tip.hidden = body === null;
     if (body !== null) tip.textContent = words(recording, body);
     changed();
@@ -16,22 +28,20 @@ export function pointing(recording, robot, stage, changed) {
   canvas.addEventListener("pointermove", event => {
     if (event.buttons) return;
     const box = canvas.getBoundingClientRect();
-    const x = event.clientX - box.left, y = event.clientY - box.top;
-    at.set(2 * x / box.width - 1, 1 - 2 * y / box.height);
-    ray.setFromCamera(at, stage.camera);
-    const [hit] = ray.intersectObjects(robot.bodies, true);
-    show(hit ? hit.object.parent.userData.body : null);
-    const left = Math.min(x + 14, box.width - tip.offsetWidth - 6);
-    tip.style.transform = `translate(${left}px,${y + 14}px)`;
+    show(bodyOf(hit(event)));
+    const left = Math.min(event.clientX - box.left + 14, box.width - tip.offsetWidth - 6);
+    tip.style.transform = `translate(${left}px,${event.clientY - box.top + 14}px)`;
   });
   canvas.addEventListener("pointerleave", () => show(null));
-}
-
-function words(recording, body) {
-  const { name, mass } = recording.bodies[body];
-  const joint = recording.joints.find(x => x.child === body);
-  const parts = [name];
-  if (mass) parts.push(`${Number(mass.toPrecision(4))} kg`);
-  if (joint) parts.push(joint.name);
-  return parts.join(" · ");
+  canvas.addEventListener("pointerdown", event => { pressed = [event.clientX, event.clientY]; });
+  canvas.addEventListener("click", event => {
+    if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < CLICK) {
+      tree.choose(bodyOf(hit(event)));
+    }
+  });
+  canvas.addEventListener("dblclick", event => {
+    const place = hit(event);
+    if (place) stage.look(place.point);
+    changed();
+  });
 }

@@ -46,8 +46,13 @@ export class Run {
     this.share = span > 0 ? Math.min(Math.max((time - this.times[low]) / span, 0), 1) : 0;
   }
 
-  // The recorded pose of a body in one sample.
+  // The recorded pose of a body (-1: the world) in one sample.
   stored(body, sample, { at, turn }) {
+    if (body < 0) {
+      at.set(0, 0, 0);
+      turn.identity();
+      return;
+    }
     const n = this.times.length, p = (7 * body) * n + sample, x = this.poses;
     at.set(x[p], x[p + n], x[p + 2 * n]);
     turn.set(x[p + 3 * n], x[p + 4 * n], x[p + 5 * n], x[p + 6 * n]);

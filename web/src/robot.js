@@ -3,6 +3,7 @@ import { Color, Group, Mesh, MeshStandardMaterial, SRGBColorSpace, Vector3 } fro
 import { meshesOf, shapeOf } from "./geometry.js";
 
 const DARKEST = .045;  // pure black would swallow all shape
+const LIT = 0x0b2a5c, CHOSEN = 0x7a3b00, FADED = .3;
 
 // The parts' geometries, shared by the robot and its ghosts.
 export function shapesOf(recording, parts = recording.parts) {
@@ -41,6 +42,7 @@ function ghostly(colour) {
 export class Robot {
   constructor(recording, run, shapes, ghost, parts = recording.parts) {
     this.run = run;
+    this.lit = this.chosen = null;
     this.group = new Group();
     this.bodies = recording.bodies.map((_, number) => {
       const group = new Group();
@@ -80,11 +82,21 @@ export class Robot {
     return corners.length || body < 0 ? corners : [new Vector3()];
   }
 
-  // Light up one body, or none.
-  glow(body) {
-    for (const group of this.bodies) {
-      const lit = group.userData.body === body ? 0x0b2a5c : 0;
-      for (const mesh of group.children) mesh.material.emissive.setHex(lit);
+  // Light up the selected body, and the one under the pointer.
+  light() {
+    this.bodies.forEach((group, body) => {
+      const glow = body === this.chosen ? CHOSEN : body === this.lit ? LIT : 0;
+      for (const mesh of group.children) mesh.material.emissive.setHex(glow);
+    });
+  }
+
+  // Let everything shine through the bodies, or not.
+  fade(on) {
+    for (const { material } of this.bodies.flatMap(group => group.children)) {
+      material.userData.own ??= [material.transparent, material.opacity, material.depthWrite];
+      [material.transparent, material.opacity, material.depthWrite] = on
+        ? [true, FADED * material.userData.own[1], false] : material.userData.own;
+      material.needsUpdate = true;  // shaders of opaque materials are others
     }
   }
 }

@@ -7,14 +7,17 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { ground } from "./ground.js";
 
-const FROM = new Vector3(.82, -1, .42).normalize();  // from the robot to the camera
+export const SIDES = {  // directions from the robot to the camera
+  first: new Vector3(.82, -1, .42).normalize(), x: new Vector3(1, 0, 0),
+  y: new Vector3(0, -1, 0), z: new Vector3(0, -.01, 1).normalize(),
+};
 const LIGHT = new Vector3(1.1, -.7, 2.2);
 const FINEST = 2, COARSEST = .5;  // pixels of the picture for one of the screen
 const SLOW = 90;  // ms for a frame, from which the picture becomes coarser
 
 export class Stage {
-  // Throws if the browser has no WebGL.
-  constructor(canvas, extent, dark) {
+  // `land` is the scene's ground.  Throws if the browser has no WebGL.
+  constructor(canvas, extent, dark, land) {
     this.canvas = canvas;
     this.extent = extent;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -25,23 +28,23 @@ export class Stage {
     this.now = new Vector3();
     this.ratio = this.finest;
     this.frameTime = this.slowFrames = 0;
-    this.light(dark);
-    this.ground = ground(extent, dark);
-    this.scene.add(this.ground);
+    this.land = land;
+    this.light();
+    this.restyle(dark);
     this.control();
   }
 
   get finest() { return Math.min(devicePixelRatio || 1, FINEST); }
 
-  light(dark) {
+  light() {
     const { renderer, scene, extent: { size } } = this;
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = PCFShadowMap;
     renderer.toneMapping = ACESFilmicToneMapping;
     renderer.setClearColor(0, 0);
     scene.environment = new PMREMGenerator(renderer).fromScene(new RoomEnvironment(), .04).texture;
-    scene.environmentIntensity = dark ? .42 : .46;
-    scene.add(new HemisphereLight(0xffffff, 0x9aa4b2, dark ? .25 : .3));
+    this.sky = new HemisphereLight(0xffffff, 0x9aa4b2);
+    scene.add(this.sky);
     const key = this.key = new DirectionalLight(0xfff4e6, 2.55), shadow = key.shadow;
     key.castShadow = true;
     shadow.mapSize.set(2048, 2048);
@@ -54,6 +57,15 @@ export class Stage {
     const rim = new DirectionalLight(0xdfe9ff, .7);
     rim.position.set(-2, 3, 1.6);
     scene.add(key, key.target, rim);
+  }
+
+  // Light and ground of a dark page, or of a light one.
+  restyle(dark) {
+    this.scene.environmentIntensity = dark ? .42 : .46;
+    this.sky.intensity = dark ? .25 : .3;
+    if (this.ground) this.scene.remove(this.ground);
+    this.ground = ground(this.extent, dark, this.land);
+    this.scene.add(this.ground);
   }
 
   control() {
@@ -88,8 +100,8 @@ export class Stage {
   }
 
   // Move the camera until all points fill the part of the picture that no control covers:
-  // `above` and `below` are the heights of the controls, in pixels.
-  fit(time, above, below) {
+  // `above` and `below` are the heights of the controls, in pixels; `from` is one of SIDES.
+  fit(time, above, below, from = SIDES.first) {
     const { camera, controls, extent, canvas } = this, p = new Vector3();
     const height = canvas.clientHeight || 1;
     const top = 1 - 2 * above / height, bottom = 1 - 2 * below / height;
@@ -97,7 +109,7 @@ export class Stage {
       : extent.low.clone().add(extent.high).multiplyScalar(.5);
     let distance = 2 * extent.size;
     for (let round = 0; round < 16; round++) {
-      camera.position.copy(target).addScaledVector(FROM, distance);
+      camera.position.copy(target).addScaledVector(from, distance);
       camera.lookAt(target);
       camera.updateMatrixWorld();
       let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
@@ -117,9 +129,16 @@ export class Stage {
     }
     const at = extent.travels ? extent.centre(time, new Vector3()) : new Vector3();
     this.now.copy(at);
-    camera.position.copy(target).addScaledVector(FROM, distance).add(at);
+    camera.position.copy(target).addScaledVector(from, distance).add(at);
     controls.target.copy(target).add(at);
     controls.update();
+  }
+
+  // Turn about another place.
+  look(place) {
+    this.camera.position.add(place).sub(this.controls.target);
+    this.controls.target.copy(place);
+    this.controls.update();
   }
 
   // Bring camera, light and shadow to where the robot is at a time.
@@ -130,8 +149,8 @@ export class Stage {
       this.controls.target.add(moved);
       this.camera.position.add(moved);
     }
-    this.key.target.position.copy(centre);
-    this.key.position.copy(centre).addScaledVector(LIGHT, 1.2 * this.extent.size);
+    this.extent.place(time, this.key.target.position);
+    this.key.position.copy(this.key.target.position).addScaledVector(LIGHT, 1.2 * this.extent.size);
   }
 
   // Fill the canvas, in finer or coarser pixels.

@@ -24,12 +24,26 @@ export class Tools {
   action(name, key, act) {
     const button = document.createElement("button");
     button.type = "button";
-    button.id = "reset";
     button.textContent = name;
     button.title = `${name} (${key.toUpperCase()})`;
     button.addEventListener("click", act);
     this.keys.set(key, { act });
     this.place.append(button);
+  }
+
+  // Add a menu of such actions: [name, key, act].
+  menu(name, actions) {
+    const menu = document.createElement("select");
+    menu.id = name.toLowerCase();
+    menu.setAttribute("aria-label", name);
+    menu.append(new Option(name, ""), ...actions.map(([words, key]) =>
+      new Option(`${words} (${key.toUpperCase()})`, key)));
+    menu.addEventListener("change", () => {
+      this.keys.get(menu.value)?.act();
+      menu.value = "";
+    });
+    for (const [, key, act] of actions) this.keys.set(key, { act });
+    this.place.append(menu);
   }
 
   toggle(tool) {

@@ -95,6 +95,13 @@ class Derivation:
                 return len(self.linear.base.places)
             case AxisLength.ROWS:
                 return sum(x.kind.count for x in self.scene.model.loops)
+            case AxisLength.CONTACTS:
+                return sum(bool(x.effect.parts or x.effect.bodies_force)
+                           for x in self.scene.effects)
+            case AxisLength.EFFECT_STATES:
+                return count_of(states_of(self.scene))
+            case AxisLength.SWITCHES:
+                return sum(x.effect.switches for x in self.scene.effects)
 
     # recording
 

@@ -10,7 +10,9 @@ from coscrew_codegen.dynamics.algorithms import rnea
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.added_inertia import added_inertias
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
+from coscrew_codegen.dynamics.forces.scene_constants import gravity, joint_inertias
 from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
@@ -49,9 +51,9 @@ class FunctionRecording:
         return own
 
     @cached_property
-    def inertias(self) -> dict[str, Number]:
-        """The joints' own inertias, by joint."""
-        return joint_inertias(self.scene, self.recorder)
+    def inertias(self) -> OwnInertias:
+        """The joints' own inertias, and those of sums of coordinates."""
+        return joint_inertias(self.scene, self.recorder, self.tree)
 
     def torques(self, motion: Motion, acting: AppliedEffects | None) -> list[Number]:
         """The torques of inverse dynamics."""

@@ -36,6 +36,7 @@ def of_kinetic(x: FunctionRecording, motion: Motion) -> tuple[Vector, Vector]:
             rnea.gather(motion, number, along, dv)
             if link.parent >= 0:
                 rnea.gather(motion, number, _turning(motion, number, p), dq)
+    dv = x.inertias.with_sums(dv, motion.v)
     if not rnea_derivatives.constant_screws(motion):
         dq = _gradient(x, energies.kinetic)
     return dq, dv

@@ -23,6 +23,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics import gradients
 from coscrew_codegen.dynamics.algorithms import energies, forward, kicks, rnea_derivatives
 from coscrew_codegen.dynamics.algorithms.linear_systems import LeafFactors, factored_from_leaves
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces import effect_derivatives
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_derivatives import Delays, differentiated
@@ -33,7 +34,7 @@ from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 
 Row = Sequence[Number]
 Rows = Sequence[Row]
-WeightsOf = Callable[[Number], forward.Weights]
+WeightsOf = Callable[[Number], Weights]
 BY = ("q", "v", "tau", "p")
 """The inputs by which accelerations are differentiated, as far as they take them."""
 
@@ -215,7 +216,7 @@ class _Solution:
         """The velocities with which a unit velocity moves the joints beyond, if they are free."""
         y = [self.zero] * self.nv
         y[i] = self.zero.like(1)
-        if self.x.tree.follows:  # D is then a diagonal entry of M
+        if forward.dense(self.start.motion, self.x.inertias):  # D is then a diagonal entry of M
             return y
         L = self._factors.reversed_factors.L
         end = next(link.v.stop for link in self.x.tree.links if i in link.v)

@@ -24,7 +24,15 @@ from coscrew_codegen.program.scene_functions import (
     SceneFunctions,
     Split,
 )
-from coscrew_codegen.scene.function_selection import CARRIED, CLOSED, CONTACTS, FREE, MOVED
+from coscrew_codegen.scene.function_selection import (
+    CARRIED,
+    CLOSED,
+    CONTACTS,
+    FREE,
+    MOVED,
+    MOVED_STATES,
+    STATE_RATES,
+)
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.integrator import Composition, Drift, Integrator, Kick, Tableau
 from coscrew_codegen.scene.integrators import EMITTED
@@ -40,12 +48,12 @@ def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
     """Names of the functions that a step calls, if the scene has them."""
     match integrator.scheme:
         case Tableau():
-            return ACCELERATION, MOVED, RATE, CLOSED
+            return ACCELERATION, MOVED, RATE, CLOSED, STATE_RATES
         case Composition() as scheme:
             return (*(_accelerating(x.by, takes_tau) for x in scheme.stages
                       if isinstance(x, Kick)), MOVED, CLOSED,
                     *(CONTACTS if scheme.splits else ()),
-                    *((CARRIED,) if scheme.moves_states else ()),
+                    CARRIED if scheme.moves_states else MOVED_STATES,
                     *(FREE if scheme.keeps_momentum and not takes_tau else ()))
     return ()
 
@@ -97,6 +105,28 @@ class _Means:
         `owner`'s velocity."""
         name = owner.format("velocity") if len(weights) > 1 else _part_of("kick", weights[0])
         return self._mean(name, "kick", "a", "v", weights)
+
+    def states(self, weights: Sequence[Fraction], owner: str) -> str:
+        """The name of q whose states of effects are those of q0 and h times the weighted mean of
+        rates dx."""
+        name = owner.format("states") if len(weights) > 1 else _part_of("states", weights[0])
+        if name not in self.functions:
+            nq, names = self.scene.nq, numbered("dx", len(weights))
+            first = nq - len(self.scene.states)
+            q, size = array("q", (nq,), "coordinates"), (len(self.scene.states),)
+            recorder = Recorder((array("h", (), "step in s"), q, array("q0", (nq,), "at first"),
+                                 *(array(x, size, "rates") for x in names)))
+            given, above, below = [recorder.argument(x) for x in names], *_scaled(weights)
+            with recorder.part("part"):
+                part = recorder.argument("h")[0] / below
+            with recorder.part("x", heading="states of effects"):
+                moved = [y + part * _sum([x[k] * n for x, n in zip(given, above, strict=True)])
+                         for k, y in enumerate(recorder.argument("q0")[first:])]
+            program = recorder.program(name, [(q, [*recorder.argument("q")[:first], *moved])])
+            words = f"q with the states x0 + {_in_words(weights, names)}"
+            self.functions[name] = FunctionProgram(name, words, program, headings(program),
+                                                   internal=True)
+        return name
 
     def _mean(self, name: str, kind: str, of: str, result: str, weights: Sequence[Fraction]) -> str:
         names = numbered(of, len(weights))
@@ -170,15 +200,19 @@ class _StepWriter:
         """Append a = by(t + c h, q, v), at tau = 0 unless the step takes it; `t` is the variable of
         that time."""
         by = _accelerating(by, self.takes_tau)
-        function = self._of_scene(by)
-        if function.takes("t") and c:
-            self._call(self.means.time(c), t)
-        else:
-            t = "t"
+        function, t = self._of_scene(by), self._time(by, c, t)
         if function.takes("tau") and not self.takes_tau:
             self.zeros = ("tau",)
         moved = [q] if len(function.program.outputs) > 1 else []  # with the states of effects
         self._call(by, a, *moved, t=t, q=q, v=v)
+
+    def _time(self, of: str, c: Fraction, t: str) -> str:
+        """The variable of the time t + c h at which a function is called, if it takes the time."""
+        if not (c and self.scene.has(of) and self._of_scene(of).takes("t")):
+            return "t"
+        if not any(x.results == (t,) for x in self.calls):
+            self._call(self.means.time(c), t)
+        return t
 
     # explicit Runge–Kutta methods
 
@@ -188,7 +222,8 @@ class _StepWriter:
         if charted and self.integrator.order > CHART_ORDER:
             raise ValueError(f"{self.integrator.name} is of order {self.integrator.order}; the "
                              f"chart that moves quaternions is true to order {CHART_ORDER}")
-        speeds, accelerations = ["v"], ["a1"]
+        speeds, accelerations, rates = ["v"], ["a1"], ["dx1"]
+        self._rate_states("dx1", "q", "q", "v", "t")
         self._accelerate(ACCELERATION, "a1", Fraction(0), "t", "q", "v")
         for n, (row, c) in enumerate(zip(scheme.a, scheme.c[1:], strict=True), 2):
             t, q, v, u, a = (f"{x}{n}" for x in "tqvua")
@@ -197,23 +232,39 @@ class _StepWriter:
             self._call(MOVED, q)
             if charted:
                 self._call(RATE, u, v=v)
+            self._move_states(row, rates, q, f"_of_stage_{n}")
+            self._rate_states(f"dx{n}", q, q, v, self._time(STATE_RATES, c, t))
             self._accelerate(ACCELERATION, a, c, t, q, v)
             speeds.append(u if charted else v)
             accelerations.append(a)
+            rates.append(f"dx{n}")
         self._weighted(self.means.drift, "u", scheme.b, speeds, "phi")
         self._weighted(self.means.kick, "a", scheme.b, accelerations, "v")
         self._call(MOVED, "q")
+        self._move_states(scheme.b, rates, "q")
         self._close()
+        self._rate_states("dx1", "q", "q", "v", self._time(STATE_RATES, Fraction(1), "t_end"))
         return self.calls
+
+    def _move_states(self, row: Sequence[Fraction], rates: Sequence[str], q: str,
+                     stage: str = "") -> None:
+        """Appends the motion of effects' states by a weighted mean of their rates."""
+        if self.scene.has(STATE_RATES):
+            self._weighted(self.means.states, "dx", row, rates, q, stage, q=q, q0="q")
+
+    def _rate_states(self, rates: str, kept: str, q: str, v: str, t: str) -> None:
+        """Appends the rates of effects' states, and q with them within their bounds."""
+        if self.scene.has(STATE_RATES):
+            self._call(STATE_RATES, rates, kept, t=t, q=q, v=v)
 
     def _weighted(self, mean: Callable[[Sequence[Fraction], str], str], of: str,
                   row: Sequence[Fraction], values: Sequence[str], result: str,
-                  stage: str = "") -> None:
+                  stage: str = "", **given: str) -> None:
         """Appends a weighted mean, without values of weight zero."""
         kept = [(weight, x) for weight, x in zip(row, values, strict=True) if weight]
         names = numbered(of, len(kept))
         owner = f"{self.integrator.step_name.removeprefix('step_')}_{{}}{stage}"
-        self._call(mean([weight for weight, _ in kept], owner), result,
+        self._call(mean([weight for weight, _ in kept], owner), result, **given,
                    **{name: x for name, (_, x) in zip(names, kept, strict=True)})
 
     # drifts and kicks
@@ -248,6 +299,8 @@ class _StepWriter:
             else:
                 self._accelerate(stage.by, "a", passed, "t_kick", "q", "v")
                 self._call(self.means.kick((stage.part,)), "v")
+                if not scheme.moves_states and self.scene.has(MOVED_STATES):
+                    self._call(MOVED_STATES, "q")
         self._close()
 
     def _close(self) -> None:

@@ -33,12 +33,14 @@ from coscrew_codegen.dynamics.algorithms import (
 )
 from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.contacts.contact_values import contact_values
+from coscrew_codegen.dynamics.forces import effect_states
 from coscrew_codegen.dynamics.forces.added_inertia import with_coriolis
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops import demands
-from coscrew_codegen.dynamics.loops.closures import closures
+from coscrew_codegen.dynamics.loops.couplings import closures
 from coscrew_codegen.dynamics.loops.multipliers import Constrained, ConstraintRows
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.step_jacobians import OtherFunctions
@@ -330,8 +332,8 @@ class RecordedDynamics:
 
     def implicit_accelerations(self) -> Numbers:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
-        x, acting = self._recording, self._acting
-        h, = self.argument("h")
+        x, (h,) = self._recording, self.argument("h")
+        acting = AppliedEffects(self.scene, self._motion, over=h).act()
         free = forward.implicit(self._motion, acting, x.rigids, x.inertias, kicks.end_weights(h),
                                 x.tau)
         demand = demands.stop(x, self._motion, h)
@@ -352,6 +354,18 @@ class RecordedDynamics:
         (h,), v = self.argument("h"), self.argument("v")
         return coordinates.carried(self.recorder, self._tree, self._recording.names, h, v)
 
+    def state_rates(self) -> Results:
+        """x' of effects' states, and q with them within their bounds."""
+        return effect_states.rates(self._recording)
+
+    def moved_states(self) -> Numbers:
+        """q with effects' states moved by h at v."""
+        return effect_states.moved(self._recording)
+
+    def switches(self) -> Numbers:
+        """Numbers that change their signs where another part of an effect's law begins."""
+        return effect_states.switches(self._recording)
+
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
@@ -361,6 +375,11 @@ class RecordedDynamics:
         """q and v corrected to the momenta c."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return floating.corrected(self._recording, self._roots())
+
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [*contact_values(self._motion, self._acting)]
 
     def closing(self) -> Number:
         """The number of contacts that are closed or close."""

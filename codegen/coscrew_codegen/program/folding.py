@@ -5,9 +5,10 @@ remains only where a result needs it.  The rules change two values only: the sig
 times infinity or NaN, which becomes 0."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from typing import NamedTuple
 
 import mpmath
 
@@ -30,16 +31,14 @@ _FAR = 1 << 14
 short pulse in time has such a factor, whose fraction would have 10^11 bits."""
 
 
-@dataclass(frozen=True)
-class Folded:
+class Folded(NamedTuple):
     """The instruction that remains to be issued."""
 
     op: Op
     operands: tuple[Operand, ...]
 
 
-@dataclass(frozen=True)
-class KnownSign:
+class KnownSign(NamedTuple):
     """The negative of the instruction that remains to be issued."""
 
     of: tuple[Op, tuple[Operand, ...]]
@@ -58,11 +57,11 @@ def fraction(value: Fraction | int) -> Fraction:
 
 def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     """op(operands) folded: an operand, or the instruction that remains to be issued."""
-    constants = tuple(x for x in operands if isinstance(x, Constant))
+    constants = [x for x in operands if isinstance(x, Constant)]
     if op is Op.EXP and constants and max(constants[0].double, constants[0].single) > _FAR:
         return Folded(op, operands)
-    if op is not Op.SELECT and len(constants) == len(operands):
-        return _negative(*constants) if op is Op.NEG else _constant(op, constants)
+    if len(constants) == len(operands) and op is not Op.SELECT:
+        return _negative(*constants) if op is Op.NEG else _constant(op, tuple(constants))
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result

@@ -80,6 +80,8 @@ class Op(Enum):
     WIDE_PRODUCT = "wide product"  # a b in 64 bits, times 2^c, rounded down
     ROUNDED_SHIFT = "rounded shift"  # a / 2^b in 32 bits to nearest, ties upward; a is of any width
 
+    __hash__ = object.__hash__  # each of them exists once; an Enum hashes its name, in Python
+
     @property
     def meaning(self) -> Meaning:
         """Its entry in the table of meanings."""

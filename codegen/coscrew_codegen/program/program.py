@@ -49,8 +49,7 @@ def constant(value: Fraction) -> Constant:
 ZERO, ONE = constant(Fraction(0)), constant(Fraction(1))
 
 
-@dataclass(frozen=True)
-class Ref:
+class Ref(NamedTuple):
     """The result of an earlier instruction."""
 
     name: str
@@ -69,8 +68,7 @@ def name_of(x: Operand) -> str:
     return x.name if isinstance(x, Ref) else ""
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """name = op(operands), a step towards `component`; the last step has its name."""
 
     name: str
@@ -159,7 +157,7 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
     def other(x: Operand) -> Operand:
         return Ref(names[x.name]) if isinstance(x, Ref) else x
 
-    steps = tuple(replace(step, name=names[step.name], operands=tuple(map(other, step.operands)))
+    steps = tuple(step._replace(name=names[step.name], operands=tuple(map(other, step.operands)))
                   for step in program.instructions)
     return replace(program, instructions=steps, results=tuple(map(other, program.results)))
 
@@ -169,7 +167,7 @@ def with_constants(program: Program, other: Callable[[Constant], Constant]) -> P
     def changed(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
         return tuple(other(x) if isinstance(x, Constant) else x for x in operands)
 
-    steps = tuple(replace(step, operands=changed(step.operands)) for step in program.instructions)
+    steps = tuple(step._replace(operands=changed(step.operands)) for step in program.instructions)
     return replace(program, instructions=steps, results=changed(program.results))
 
 

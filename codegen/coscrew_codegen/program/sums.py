@@ -74,7 +74,7 @@ def _added(last: Instruction, terms: Sequence[Term], names: list[str], tree: Tre
         left, right = map(value, tree)
         op = Op.ADD if left.negative == right.negative else Op.SUB
         operands = (right.x, left.x) if left.negative and not right.negative else (left.x, right.x)
-        steps.append(replace(last, name=names[len(steps)], op=op, operands=operands))
+        steps.append(last._replace(name=names[len(steps)], op=op, operands=operands))
         return Term(left.negative and right.negative, Ref(steps[-1].name))
 
     value(tree)

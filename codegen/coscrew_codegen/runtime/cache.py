@@ -1,7 +1,8 @@
 """The cache of derived and compiled files, by content, in $XDG_CACHE_HOME/coscrew.
 
 `cached` finds a value or makes it.  An entry's name is its key, a hash of everything that it was
-made from, and the hash of its content, so that damaged entries are recognized and made again.
+made from, its size, and the hash of its content, so that damaged entries are recognized and made
+again.
 Entries are written under another name and then renamed, so that concurrent processes see complete
 entries; one process makes an entry, others wait for it.  When all together exceed the limit,
 $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
@@ -29,6 +30,7 @@ LIMIT = "COSCREW_CACHE_LIMIT"
 DEFAULT_LIMIT = "1 GB"
 _UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
 _SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
+_SIZE_IN_NAME = re.compile("[0-9a-f]{32}-([0-9]+)-")
 _ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
 
 
@@ -122,9 +124,12 @@ def kept_as(key: str, suffix: str, read: Callable[[Path], Value]) -> Value | Non
 
 def entry(key: str, suffix: str) -> Path | None:
     """The entry of this key, marked as used now; None if there is none or it is damaged."""
-    for path in sorted(folder().glob(f"{key}-*{suffix}")):
+    place = folder()
+    for name in sorted(x for x in os.listdir(place)
+                       if x.startswith(f"{key}-") and x.endswith(suffix)):
+        path = place / name
         with suppress(OSError):
-            if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
+            if hashed(path.read_bytes()) == name.removesuffix(suffix).rpartition("-")[2]:
                 os.utime(path)
                 return path
         _removed(path)
@@ -134,9 +139,10 @@ def entry(key: str, suffix: str) -> Path | None:
 def write(key: str, suffix: str, content: bytes) -> Path:
     """Store this content as an entry; removes others if the cache is full."""
     most = limit()
-    path = folder() / f"{key}-{hashed(content)}{suffix}"
+    path = folder() / f"{key}-{len(content)}-{hashed(content)}{suffix}"
     replaced(path, content)
-    evict(most, path)
+    if _total() > most:
+        evict(most, path)
     return path
 
 
@@ -200,6 +206,14 @@ def entries() -> list[CacheEntry]:
     return sorted(entries, key=lambda x: (x.used, x.path.name))
 
 
+def _total() -> int:
+    """Returns the size of all together in bytes, from their names: to ask the system for the sizes
+    of thousands of files takes longer than to make one."""
+    place = folder()
+    sizes = [(x, _SIZE_IN_NAME.match(x)) for x in os.listdir(place)]
+    return sum(int(size[1]) if size else _size(place / name) for name, size in sizes)
+
+
 def evict(most: int, kept: Path | None = None) -> list[CacheEntry]:
     """Remove the least recently used entries, except `kept`, until the rest takes at most `most`
     bytes; returns the removed ones.  Entries that cannot be removed stay."""
@@ -225,6 +239,6 @@ def _removed(path: Path) -> bool:
 
 
 def _size(path: Path) -> int:
-    if path.is_dir():
-        return sum(x.stat().st_size for x in path.rglob("*") if x.is_file())
-    return path.stat().st_size
+    with suppress(OSError):  # another process has removed it
+        return sum(x.stat().st_size for x in (path, *path.rglob("*")) if x.is_file())
+    return 0

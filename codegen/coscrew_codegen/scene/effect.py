@@ -11,6 +11,7 @@ from typing import Protocol, TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Sign
+from coscrew_codegen.scene.mechanism.collision import Collision
 
 K = TypeVar("K")
 Given = Mapping[str, object]
@@ -107,6 +108,8 @@ class StateOf:
     name: str
     unit: str  # on a joint that turns; its metres stand behind "or", as those of parameters
     words: str
+    of: str = ""  # the parameter without which the effect does not have it
+    starts: str = ""  # q or v: the number of the joint from which it starts instead
 
 
 @dataclass(frozen=True)
@@ -194,6 +197,10 @@ class BodyContact:
     resting: Number  # the depth under its load: less than twice that deep it rests
 
 
+MOST_AT_REST = 8
+"""Contacts that share a tree's weight, at most: of a body with many not all touch."""
+
+
 @dataclass(frozen=True)
 class Resting:
     """The load on each contact of a body at rest, in N, and free fall's acceleration; 0 without
@@ -201,6 +208,16 @@ class Resting:
 
     load: Fraction
     g: Fraction
+
+
+@dataclass(frozen=True)
+class Elastic:
+    """Numbers of an elastic gear: the rotor's inertia, the stiffness and the damping between rotor
+    and joint."""
+
+    inertia: Number
+    stiffness: Number
+    damping: Number
 
 
 @dataclass(frozen=True)
@@ -216,8 +233,12 @@ class Torque:
     (`dynamics/forces/linearization.py` says how they are bounded). `damping`, `stiffness`: these,
     at least 0, from an effect that has a shorter form of them.
 
-    `rates` are x' of the effect's states, `kept` the states within their bounds at this motion: a
-    step moves x by its rates, and then puts it there."""
+    `rates` are x' of the effect's states.  With a `share`, `bounded` are the states and share times
+    these are those within their bounds: a step moves x by its rates, and then puts it there.
+    `switches`: numbers that change their signs where another part of the law begins.
+
+    With a `lag` the torque within its limit is what is demanded, and x the torque that acts: x' =
+    (demand - x)/lag.  With `elastic` x are the angle and the speed of a rotor."""
 
     torque: Number | None = None
     limit: Number | None = None
@@ -228,7 +249,11 @@ class Torque:
     damping: Number | None = None
     stiffness: Number | None = None
     rates: Vector = ()
-    kept: Vector = ()
+    bounded: Vector = ()
+    share: Number | None = None
+    switches: Vector = ()
+    lag: Number | None = None
+    elastic: Elastic | None = None
     ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
     # that is larger: it starts at once, at some speed
 
@@ -260,7 +285,7 @@ class Force:
     Such an energy may depend on the body's pose and on time, not on its motion.
 
     `slopes` are -∂force/∂ of the point's velocity and position: implicit steps take them in as
-    inertias at the point.  `rates` and `kept` as in Torque."""
+    inertias at the point.  `rates`, `bounded`, `share` and `switches` as in Torque."""
 
     point: Vector | None = None
     force: Vector | None = None
@@ -268,9 +293,53 @@ class Force:
     energy: Number | None = None
     power: Number | None = None
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
+    turning: PointSlopes | None = None  # likewise -∂moment/∂ of the angular velocity, with `slopes`
     contact: BodyContact | None = None
     rates: Vector = ()
-    kept: Vector = ()
+    bounded: Vector = ()
+    share: Number | None = None
+    switches: Vector = ()
+
+
+@dataclass(frozen=True)
+class ContactForce:
+    """The force on the first surface, in the world's frame, and what steps need of it."""
+
+    force: Vector
+    energy: Number
+    power: Number
+    across: Slopes
+    along: Slopes
+    rates: Vector
+    bounded: Vector
+    share: Number
+    switches: Vector
+    contact: BodyContact
+    moment: Vector = ()
+    rolling: Slopes | None = None  # -∂moment/∂w across the normal
+    torsional: Slopes | None = None  # and about it
+
+
+@dataclass(frozen=True)
+class TwoBodies:
+    """The states of two bodies, of the effect between them, and the vector from a point of the
+    second to one of the first, in the world's frame."""
+
+    first: BodyState
+    second: BodyState
+    x: Vector
+    apart: Callable[[Vector, Vector], Vector]
+
+
+@dataclass(frozen=True)
+class Between:
+    """A contact of two bodies: the same place in the frame of each, the normal towards the first,
+    and its velocity there relative to the second, both in the world's frame."""
+
+    places: tuple[Vector, Vector]
+    n: Vector
+    u: Vector
+    law: ContactForce
 
 
 @dataclass(frozen=True)
@@ -318,17 +387,24 @@ class Effect:
     body_force: Callable[[BodyState, Values], Force] | None = None
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
-    states: tuple[StateOf, ...] = ()  # with rates and kept among the results of its law
+    bodies_force: Callable[[TwoBodies, Values], Between] | None = None  # contact of two bodies
+    states: tuple[StateOf, ...] = ()  # with rates, a lag or a gear among the results of its law
+    switches: int = 0  # the number of those among the results of its law
     chosen_by: str = "kind"  # the choice that decides which parameters it has
     parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
     # parts of a body on which it acts; its tables have labels
+    parts_of: Callable[[Given, Collision], Sequence[Given]] | None = None  # of its values and a
+    # shape of the model's file
     completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
     # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them
+    by_angle: bool = False  # on a joint that turns about a point, it acts on the angle from rest
     rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
     # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded
     limited_by: str = ""  # the parameter that limits its torque, if given
+    drives: bool = False  # it acts on the rotor of a joint that has an elastic gear
+    elastic: bool = False  # it is an elastic gear
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     in_fluid: bool = False  # its force depends on the fluid's motion
@@ -336,3 +412,9 @@ class Effect:
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone
+
+    @property
+    def on_sums(self) -> bool:
+        """True if it can act on a weighted sum of joints' coordinates."""
+        acts = self.joint_torque is not None or self.joint_inertia is not None
+        return acts and not self.elastic

@@ -6,7 +6,8 @@ them.
     EFFECT.JOINT.saturated    1 where its limit takes some of it, else 0
     EFFECT.BODY.force         in the world's axes;  EFFECT.BODY.force.x one component
     EFFECT.BODY.torque        about the body's origin, in the world's axes
-    EFFECT.LABEL.force        between two bodies, positive if it pulls them together
+    EFFECT.LABEL.force        between two bodies, positive if it pulls them together; of a contact
+                              on the first, in the world's axes
     EFFECT.WHERE.power        torque · v, f·v + τ·ω: what it delivers, also out of its own energy
     EFFECT.WHERE.energy       potential energy; of an armature kinetic energy
 
@@ -19,7 +20,6 @@ from dataclasses import dataclass
 
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -48,6 +48,8 @@ def _along(applied: Applied, kinds: Mapping[str, JointKind]) -> tuple[str, ...]:
     if applied.terms:
         lengths = any(kinds[x.joint].units("q")[x.coordinate] == "m" for x in applied.terms)
         return ("N",) if lengths else ("N m",)
+    if applied.effect.by_angle and kinds[applied.on].by_angle:
+        return ("N m",)
     return tuple("N m" if unit == "rad/s" else "N" for unit in kinds[applied.on].units("v"))
 
 
@@ -60,6 +62,8 @@ def _units(applied: Applied, kinds: Mapping[str, JointKind]) -> dict[str, tuple[
         results |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
     if effect.pair_force:
         results[FORCE] = ("N",)
+    if effect.bodies_force:
+        results[FORCE] = ("N",) * 3
     if results or effect.gravity:
         results[POWER] = ("W",)
     if effect.stores_energy:
@@ -102,7 +106,7 @@ def _reason(applied: Applied, quantity: str) -> str:
     if quantity == SATURATED:
         return "has no limit that could saturate"
     if applied.effect.place is Place.PAIR:
-        return "acts between two bodies, by a force along the line of their points"
+        return "acts between two bodies, by a force"
     return f"has no {quantity}"
 
 
@@ -111,10 +115,15 @@ class EffectStates:
     """The states x of an effect where it is applied: they stand in q behind the coordinates of
     joints, in the order of the scene's effects."""
 
-    name: str  # of the effect: stiction.elbow
+    applied: Applied
     components: tuple[str, ...]
     units: tuple[str, ...]
     places: range  # in x
+
+    @property
+    def name(self) -> str:
+        """The name of the effect: stiction.elbow."""
+        return self.applied.name
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -129,11 +138,11 @@ def states_of(scene: Scene) -> tuple[EffectStates, ...]:
     kinds = {x.name: x.kind for x in scene.model.joints}
     results: list[EffectStates] = []
     for applied in scene.effects:
-        if own := applied.effect.states:
+        if own := applied.states:
             first = count_of(results)
             lengths = "N" in acted_units(applied, kinds)
             units = tuple(x.unit.split(" or ")[-1 if lengths else 0] for x in own)
-            results.append(EffectStates(applied.name, tuple(x.name for x in own), units,
+            results.append(EffectStates(applied, tuple(x.name for x in own), units,
                                         range(first, first + len(own))))
     return tuple(results)
 
@@ -146,12 +155,3 @@ def count_of(states: list[EffectStates] | tuple[EffectStates, ...]) -> int:
 def places_of(scene: Scene) -> Mapping[str, range]:
     """The places in x of each effect's states, by the effect's name."""
     return {x.name: x.places for x in states_of(scene)}
-
-
-def why_not_moved(scene: Scene, integrator: str) -> str:
-    """Says why the integrator cannot move the scene's states; "" if it can, or there are none."""
-    states = states_of(scene)
-    if not states or INTEGRATOR_NAMED[integrator].moves_states:
-        return ""
-    able = " or ".join(x.name for x in INTEGRATOR_NAMED.values() if x.moves_states)
-    return f"{integrator} does not move the states of effects, as {states[0].name}; wanted {able}"

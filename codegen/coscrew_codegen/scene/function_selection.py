@@ -14,9 +14,13 @@ from coscrew_codegen.scene.functions.steps import (
     closing_contacts,
     free_momentum,
     integrated,
+    law_switches,
+    moved_states,
+    state_rates,
     step_parts,
     with_free_momentum,
 )
+from coscrew_codegen.scene.functions.whole_scene import contacts
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
@@ -31,8 +35,14 @@ FREE = (free_momentum.FUNCTION.name, with_free_momentum.FUNCTION.name)
 """Functions by which steps keep the momenta of floating bases."""
 CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 """Functions by which steps resolve contacts of limits."""
+ALL_CONTACTS = contacts.FUNCTION.name
+"""Points, forces and depths of all contacts of bodies."""
 CARRIED = carried_half_drift.FUNCTION.name
 """The function by which steps move free bases that touch the ground."""
+STATE_RATES, SWITCHES = OF_STATES = (state_rates.FUNCTION.name, law_switches.FUNCTION.name)
+"""The rates of states of effects, and the switches of their laws."""
+MOVED_STATES = moved_states.FUNCTION.name
+"""The function by which steps of the Euler methods move states of effects."""
 CLOSURE, CLOSED = LOOPS = (closure.FUNCTION.name, with_closed_loops.FUNCTION.name)
 """The closures of loops, and the function by which steps keep loops closed."""
 MOVED = integrated.FUNCTION.name

@@ -74,7 +74,7 @@ class Composition:
     splits: bool = False  # a step in which a limit is hit is taken in several parts
     keeps_momentum: bool = False  # of a floating base without gravity, except for rounding
     damps_bounces: bool = False  # a joint that hits a stiff limit loses its speed
-    moves_states: bool = False  # those of effects
+    moves_states: bool = False  # those of effects move in its kicks
 
     def __post_init__(self) -> None:
         for kind in (Drift, Kick):
@@ -124,11 +124,6 @@ class Integrator:
     def splits(self) -> bool:
         """True if a step in which a limit is hit is taken in several parts."""
         return isinstance(self.scheme, Composition) and self.scheme.splits
-
-    @property
-    def moves_states(self) -> bool:
-        """True if it moves states of effects."""
-        return isinstance(self.scheme, Composition) and self.scheme.moves_states
 
     @property
     def keeps_momentum(self) -> bool:

@@ -8,23 +8,15 @@ from functools import cached_property
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.content import hashed
-from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.effect import Effect, StateOf
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.ranges import Ranges
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
-
-
-@dataclass(frozen=True)
-class WeightedCoordinate:
-    """A coordinate of a joint, times a weight: a term of a sum."""
-
-    joint: str
-    coordinate: int  # its number among those of the joint
-    weight: Fraction
 
 
 @dataclass(frozen=True)
@@ -46,6 +38,11 @@ class Applied:
         """The numbers of a parameter that is a vector."""
         given = self.values[name]
         return tuple(x for x in given if isinstance(x, Scalar)) if isinstance(given, tuple) else ()
+
+    @property
+    def states(self) -> tuple[StateOf, ...]:
+        """Its states with these values."""
+        return tuple(x for x in self.effect.states if not x.of or self.values[x.of] is not None)
 
     @property
     def bodies(self) -> tuple[str, ...]:

@@ -26,6 +26,7 @@ from coscrew_codegen.scene.mechanism.function_arguments import (
     V,
 )
 from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.scene_quantity import Of, SceneQuantity
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder
@@ -191,6 +192,18 @@ class Dynamics(Protocol):
     def with_closed_loops(self) -> Results:
         """q and v moved onto the closures of loops."""
 
+    def contacts(self) -> Results:
+        """Points, forces, depths and friction of the contacts of bodies."""
+
+    def state_rates(self) -> Results:
+        """x' of effects' states, and q with them within their bounds."""
+
+    def moved_states(self) -> Numbers:
+        """q with effects' states moved by h at v."""
+
+    def switches(self) -> Numbers:
+        """Numbers that change their signs where another part of an effect's law begins."""
+
     def closing(self) -> Number:
         """The number of limits that are closed, or would be after moving with v for h."""
 
@@ -259,34 +272,6 @@ class Default:
 
 ALWAYS = Default("by default", lambda scene, target: True)
 IF_SELECTED = Default("if selected or recorded", lambda scene, target: False)
-
-
-class Of(Enum):
-    """Owner of a recorded quantity."""
-
-    SCENE = ""
-    BODY = "body"
-    JOINT = "joint"
-    LOOP = "loop"
-
-
-@dataclass(frozen=True)
-class SceneQuantity:
-    """Quantity recorded from a function's results: `name`, or `name.BODY`, `name.JOINT`.
-
-    Each component is the sum of the results at its `places`; without places, every result is a
-    component.  For a function of all bodies, places count from the body's own results."""
-
-    name: str
-    of: Of = Of.SCENE
-    components: tuple[str, ...] = ()  # names in place of numbers
-    places: tuple[tuple[int, ...], ...] = ()
-    expected: str = ""  # the component that an expectation without one refers to
-
-    @property
-    def written(self) -> str:
-        """pose.BODY."""
-        return f"{self.name}.{self.of.value.upper()}" if self.of.value else self.name
 
 
 _OF_STATES = ("q", "v", "a", "tau")

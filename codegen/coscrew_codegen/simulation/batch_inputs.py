@@ -66,6 +66,8 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
     lead = _as_many(leads)
     q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
+    if start is None and q0 is None:
+        q = system.with_rotors(q, v)
     return (q, v) if start and q0 is None and v0 is None else closed(system, q, v)
 
 

@@ -6,7 +6,6 @@ from numbers import Real
 
 import numpy as np
 
-from coscrew_codegen.scene.effect_quantities import why_not_moved
 from coscrew_codegen.scene.integrators import ADAPTIVE, INTEGRATOR_NAMED, NAMES
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulation import SimulateError
@@ -108,8 +107,6 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                                                        ("every", every, system.scene.every)))
     made = Plan(until, every, known(run.integrator if integrator is None else integrator), step,
                 *tolerances(system), also, begin=begin)
-    if system.functions.states and not INTEGRATOR_NAMED[made.integrator].moves_states:
-        raise SimulateError(f"integrator {why_not_moved(system.scene, made.integrator)}")
     called = INTEGRATOR_NAMED[made.integrator].step_name
     if called and not system.has(called):
         raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "

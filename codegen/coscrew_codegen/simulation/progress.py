@@ -2,6 +2,7 @@
 
 import time
 from contextlib import ExitStack
+from dataclasses import dataclass
 from types import TracebackType
 
 import numpy as np
@@ -18,7 +19,7 @@ class Progress:
     def __init__(self, system: System, until: float) -> None:
         self._system, self._until = system, until
         self._began = self._shown = time.monotonic()
-        self._first: float | None = None
+        self._drift, self._first = EnergyDrift(), True
         self._tenths = Tenths()
         self._stack = ExitStack()
 
@@ -32,29 +33,47 @@ class Progress:
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
         """Shows the progress of the run."""
-        now = time.monotonic()
+        now, first, self._first = time.monotonic(), self._first, False
         if self._show is None:
-            self._first = self._energy(t, q, v) if self._first is None else self._first
+            if first:
+                self._change(t, q, v)
             self._tenths(t / self._until, lambda: self._line(now, t, q, v))
-        elif self._first is None or now >= self._shown + _EVERY:
+        elif first or now >= self._shown + _EVERY:
             self._shown = now
             self._show(self._line(now, t, q, v))
 
     def _line(self, now: float, t: float, q: np.ndarray, v: np.ndarray) -> str:
-        energy = self._energy(t, q, v)
-        self._first = energy if self._first is None else self._first
-        drift = abs(energy - self._first) / abs(self._first) if self._first else abs(energy)
-        return line(t, self._until, now - self._began, drift)
+        return line(t, self._until, now - self._began, self._change(t, q, v))
 
-    def _energy(self, t: float, q: np.ndarray, v: np.ndarray) -> float:
+    def _change(self, t: float, q: np.ndarray, v: np.ndarray) -> float:
+        """The relative change of energy; of a batch, of its first member."""
         if not self._system.has("energy"):
             return float("nan")
-        return float(np.ravel(sum(self._system.energies(t, q, v)))[0])  # of a batch, the first
+        kinetic, potential = self._system.energies(t, q, v)
+        return self._drift(float(np.ravel(kinetic)[0]), float(np.ravel(potential)[0]))
+
+
+@dataclass
+class EnergyDrift:
+    """Change of the total energy since the first call, relative to the largest energy exchanged so
+    far: kinetic energy, or change of potential energy.  So it does not depend on where the
+    potential energy is zero."""
+
+    first: tuple[float, float] | None = None  # kinetic, potential
+    exchanged: float = 0.0  # J
+
+    def __call__(self, kinetic: float, potential: float) -> float:
+        """The drift at these energies."""
+        self.first = self.first or (kinetic, potential)
+        change = potential - self.first[1]
+        self.exchanged = max(self.exchanged, kinetic, abs(change))
+        drift = abs(kinetic - self.first[0] + change)
+        return drift / self.exchanged if self.exchanged else 0.0
 
 
 def line(t: float, until: float, elapsed: float, drift: float) -> str:
-    """The line at time t of a run that has taken `elapsed` s; `drift` is the relative change of
-    energy."""
+    """The line at time t of a run that has taken `elapsed` s; `drift` is the relative
+    change of energy."""
     speed = t / elapsed if elapsed > 0 else 0
     left = f"{(until - t) / speed:.0f} s" if speed > 0 else "?"
     return (f"t {t:.{_digits(until)}g}/{until:g} s  {100 * t / until:.0f} %  "

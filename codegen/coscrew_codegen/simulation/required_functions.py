@@ -2,7 +2,14 @@
 
 from collections.abc import Iterable
 
-from coscrew_codegen.scene.function_selection import CONTACTS, FREE, LOOPS, together
+from coscrew_codegen.scene.function_selection import (
+    ALL_CONTACTS,
+    CONTACTS,
+    FREE,
+    LOOPS,
+    OF_STATES,
+    together,
+)
 from coscrew_codegen.scene.functions.whole_scene.mass_matrix import MANY, speeds
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
@@ -24,7 +31,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
     """Names of the functions that `check` needs."""
     return together(of_run(scene, integrator),
                     ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power",
-                     INTEGRATOR_NAMED[DEFAULT].step_name, *CONTACTS, *FREE),
+                     INTEGRATOR_NAMED[DEFAULT].step_name, ALL_CONTACTS, *CONTACTS, *FREE),
                     *(expected(x.quantity, scene).functions for x in scene.expectations))
 
 
@@ -34,7 +41,7 @@ def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str
     `held`."""
     own = INTEGRATOR_NAMED[known(scene.run.integrator if integrator is None else integrator)]
     if not own.emitted:
-        return "energy", "forward_dynamics", *LOOPS
+        return "energy", "forward_dynamics", *LOOPS, *OF_STATES
     floats = any(joint.kind.floats for joint in scene.model.joints)
     mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
     pushed = ("forward_dynamics",) if held else ()

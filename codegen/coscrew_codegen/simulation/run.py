@@ -127,7 +127,7 @@ class _Samples:
 
 def _adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
               watch: Watch | None = None) -> Sampled:
-    from coscrew_codegen.simulation.adaptive import adaptive  # imports SciPy
+    from coscrew_codegen.simulation.solvers.adaptive import adaptive  # imports SciPy
 
     for reached, speeds, steps, stopped in adaptive(system, plan, times, q, v, watch):
         yield reached, speeds, steps, (Stop(0, float("nan"), "", stopped),) if stopped else ()

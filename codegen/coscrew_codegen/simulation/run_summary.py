@@ -1,5 +1,6 @@
 """Runs a scene in the selected precisions, records the runs, and prints a short table of them."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -8,12 +9,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tabulate import tabulate
 
+from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.scene.functions.steps.step_parts import MOST_OF_CONTACTS
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
+from coscrew_codegen.scene.joints import kind_named
 from coscrew_codegen.scene.mechanism.mimics import without_chains
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.batch_inputs import values_of
+from coscrew_codegen.simulation.check.contact_check import unresolved
 from coscrew_codegen.simulation.checkpoint import end_in
 from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.parameter_checks import ranges
@@ -80,8 +85,13 @@ def gaps(differences: tuple[Difference, ...]) -> str:
 
 def bounces(result: Result) -> str:
     """A warning that bounces are lost, if the integrator does not resolve them and a limit is hit
-    in a step that the default integrator would split; else ""."""
+    in a step that the default integrator would split, or if that would need more parts of a step
+    than contacts of bodies may have; else ""."""
     its, planned, run = result.system, result.plan, result.trajectory
+    if planned.integrator == DEFAULT and not math.isnan(at := unresolved(its, run, planned.step)):
+        return (f"a contact bounces too fast at t = {at:g} s for parts of steps of "
+                f"{planned.step:g} s, {MOST_OF_CONTACTS} at most: it loses speed; take a smaller "
+                "step, or a larger depth")
     if not (INTEGRATOR_NAMED[planned.integrator].damps_bounces and its.has("parts")):
         return ""
     with np.errstate(all="ignore"):
@@ -97,7 +107,7 @@ def outside(its: System, q: np.ndarray) -> str:
     """A warning that names joints that start outside the range of a limit, which then acts from the
     start; else "". (…, nq): of several members it names the one farthest outside."""
     values = dict(zip((x for x, _ in its.functions.parameters), np.array(its.p).T, strict=True))
-    start = {c.joint: q[..., c.q.start].astype(float) for c in its.functions.coordinates}
+    start = {c.joint: _ranged(c, q) for c in its.functions.coordinates}
     model = its.scene.model
     chained = any(joint.mimic for joint in model.joints)
     for joint in (without_chains(model) if chained else model).joints:
@@ -114,6 +124,14 @@ def outside(its: System, q: np.ndarray) -> str:
                 results.append(f"joint {limited.on} starts at {x[k]:g}, outside its range from "
                                f"{low[k]:g} to {high[k]:g}")
     return f"{'; '.join(results)}: pushed from the start" if results else ""
+
+
+def _ranged(c: Coordinate, q: np.ndarray) -> np.ndarray:
+    """The number that a range of a joint holds: its coordinate, or the angle of its turn."""
+    own: np.ndarray = np.moveaxis(q[..., c.q.start:c.q.stop].astype(float), -1, 0)
+    if not kind_named(c.kind).by_angle:
+        return np.asarray(own[0])
+    return np.asarray(2 * np.arctan2(np.linalg.norm(own[:3], axis=0), abs(own[3])))
 
 
 def overspeed(result: Result) -> str:

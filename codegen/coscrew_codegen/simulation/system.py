@@ -14,6 +14,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime.step_calls import Driven, InC, Take
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
@@ -171,8 +172,23 @@ class System:
         first = len(q) - len(self.functions.states)
         for place, (column, _) in enumerate(self.functions.states, first):
             q[place] = self.scene.start_x.get(column, q[place])
+        q = self.with_rotors(q, v)
         with np.errstate(over="ignore"):  # in single precision; `integrate` refuses infinities
             return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
+
+    def with_rotors(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """q, whose states of effects that start with their joint, as a rotor's angle and speed, are
+        those of q and v, unless the scene starts them.  (…, nq), (…, nv)->(…, nq)."""
+        q, first = np.array(q), q.shape[-1] - len(self.functions.states)
+        joints = {c.joint: c for c in self.functions.coordinates}
+        for own in states_of(self.scene):
+            for place, state, column in zip(own.places, own.applied.states, own.columns,
+                                            strict=True):
+                if state.starts and column not in self.scene.start_x:
+                    at = joints[own.applied.on]
+                    q[..., first + place] = q[..., at.q.start] if state.starts == "q" \
+                        else v[..., at.v.start]
+        return q
 
     def normalized(self, q: np.ndarray) -> np.ndarray:
         """q with quaternions of norm 1.  (…, nq)->(…, nq)."""

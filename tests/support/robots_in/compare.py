@@ -5,6 +5,7 @@ import re
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import mujoco
@@ -16,7 +17,7 @@ from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene.readers.xacro_reader import expanded
+from coscrew_codegen.scene.readers.xacro.xacro_reader import expanded
 from coscrew_codegen.scene.scene import Scene
 from tests.support.robots_in.drake_states import drake_states
 from tests.support.robots_in.outcome import (
@@ -61,7 +62,7 @@ def outcome_of(package: str, path: Path, format_: str, folder: Path) -> Outcome:
     result = Outcome(package, str(path.relative_to(folder)), format_, REFUSED)
     start = time.process_time()
     try:
-        scene = _read(path)
+        scene = _read(path, folder)
     except SceneError as error:
         return _refusal(result, path, error)
     result = replace(result, reading=time.process_time() - start, model=_hash(scene),
@@ -69,7 +70,8 @@ def outcome_of(package: str, path: Path, format_: str, folder: Path) -> Outcome:
     try:
         functions = derived(scene)
         result = replace(result, velocities=functions.nv)
-        largest = worst_of_programs(scene, functions, _states(scene, functions, path, format_))
+        states = _states(scene, functions, path, folder, format_)
+        largest = worst_of_programs(scene, functions, states)
     except NotCompared as reason:
         return replace(result, status=NOT_COMPARED, reason=str(reason))
     if largest.all <= CLOSE:
@@ -79,11 +81,20 @@ def outcome_of(package: str, path: Path, format_: str, folder: Path) -> Outcome:
     return replace(result, status=DIFFERS, error=largest.all, reason=", ".join(what))
 
 
-def _read(path: Path) -> Scene:
+@cache
+def packages_of(folder: Path) -> dict[str, Path]:
+    """Packages of ROS that a file of xacro calls NAME_support, and PyPI's package just NAME."""
+    return {f"{x.parent.name.removesuffix('_description')}_support": x.parent
+            for x in folder.rglob("urdf") if x.is_dir()}
+
+
+def _read(path: Path, folder: Path) -> Scene:
     """The scene of the file alone, without what no scene can have; with implausible inertias if
     there are any.  Effects that MuJoCo counts among actuators and constraints are not there."""
     reader = reader_of(path)
-    given = SceneOverrides(precision="double", leave_out=reader.leaves_out if reader else ())
+    packages = packages_of(folder) if reader and reader.takes_arguments else {}
+    given = SceneOverrides(precision="double", leave_out=reader.leaves_out if reader else (),
+                           packages=tuple((x, str(y)) for x, y in packages.items()))
     try:
         scene = read_scene(path, overrides=given)
     except SceneError as error:
@@ -96,7 +107,7 @@ def _read(path: Path) -> Scene:
                                      x.effect.name == "gravity")))
 
 
-def _states(scene: Scene, functions: SceneFunctions, path: Path, format_: str
+def _states(scene: Scene, functions: SceneFunctions, path: Path, folder: Path, format_: str
             ) -> Iterator[PeerState]:
     """States with the results of the other program."""
     if format_ == "MJCF":
@@ -106,7 +117,7 @@ def _states(scene: Scene, functions: SceneFunctions, path: Path, format_: str
     if format_ == "SDF":
         return drake_states(scene, functions, path)
     text = path.read_bytes().decode("utf-8", "replace") if format_ == "URDF" else \
-        expanded(ModelSource(path))[0]
+        expanded(ModelSource(path, packages=packages_of(folder)))[0]
     return pinocchio_states(scene, functions, text)
 
 

@@ -176,12 +176,22 @@ def _joints(joints: Mapping[str, tuple[str, str, tuple[float, float]]]) -> str:
         for name, (parent, child, (x, y)) in joints.items())
 
 
+_LAW = """joints = { rail = 1, "cross.1" = 0.3 }
+leaders = { shoulder = 1 }
+polynomial = [0.388533333333333333, 0.4, -0.3, 0.2]"""
+"""Closed at 1/3, 3/5 and 2/5."""
+
+
 def spatial(kind: str, second: str = "hand", place: str = "xyz = [0.2, 0.1, 0.1]") -> str:
     """A floating base with two arms of all kinds of joints, and a loop of this kind between a frame
     at the end of one and a frame at that `place` of the other, or of the world; it is closed where
-    both frames coincide."""
+    both frames coincide.  A law is of their joints."""
     more = {"hinge": "axis = [1, 2, 2]", "rod": "length = 0.7"}
     apart = "[0.47, 0.66, -0.1]" if kind == "rod" else "[0.05, 0.1, -0.1]"
+    closure = f"""bodies = ["end", "other"]
+first = [0.05, 0.1, -0.1]
+second = {apart}
+{more.get(kind, "")}"""
     inertia = "inertia = [0.3, 0.4, 0.5, 0.01, 0.02, -0.03]"
     bodies = "".join(f"{name} = {{ mass = {m}, com = [0.1, {y}, -0.2], {inertia} }}\n"
                      for name, m, y in (("base", 3, 0.1), ("upper", 1.5, 0.2), ("tip", 1, -0.1),
@@ -220,10 +230,7 @@ end = {{ to = "tip", xyz = [0.1, -0.2, 0.3], rpy = [0.3, -0.5, 0.7] }}
 other = {{ to = "{second}", {place} }}
 [loops.closing]
 kind = "{kind}"
-bodies = ["end", "other"]
-first = [0.05, 0.1, -0.1]
-second = {apart}
-{more.get(kind, "")}
+{_LAW if kind == "law" else closure}
 [effects.gravity]
 [effects.viscous]
 joints = "all"

@@ -33,9 +33,10 @@ from tests.support.scenes.mechanisms import (
 )
 
 HALF = Fraction(1, 2)
-STATEFUL = tuple(x.name for x in catalogue.EFFECTS if x.states or x.ground)
-"""Effects with states, which only some integrators move, and the ground of contacts:
-tests/scenes/test_effect_states.py and test_contact.py are about them."""
+STATEFUL = tuple(x.name for x in catalogue.EFFECTS if x.ground or any(
+    not state.of for state in x.states))
+"""Effects that always have states, and the ground of contacts: tests/scenes/test_effect_states.py,
+test_lag_and_gear.py and test_contact.py are about them."""
 TIMED = (Formula("sin(t)"), Fraction(2), Formula("1 - t"))
 
 PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {

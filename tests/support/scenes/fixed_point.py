@@ -179,5 +179,5 @@ def with_constant(program: FixedProgram, number: int, place: int, value: int) ->
     steps = list(program.program.instructions)
     operands = list(steps[number].operands)
     operands[place] = Constant(Fraction(value), Fraction(value))
-    steps[number] = replace(steps[number], operands=tuple(operands))
+    steps[number] = steps[number]._replace(operands=tuple(operands))
     return replace(program, program=replace(program.program, instructions=tuple(steps)))

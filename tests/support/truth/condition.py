@@ -40,11 +40,11 @@ def perturbed(program: Program) -> Program:
     steps = [Instruction(f"constant{k}__", Op.MUL, (x, Input(place, len(rounding) + k)), "")
              for k, x in enumerate(constants)]
     for step in program.instructions:
-        step = replace(step, operands=tuple(near.get(x, x) for x in step.operands))
+        step = step._replace(operands=tuple(near.get(x, x) for x in step.operands))
         if step.name not in numbers:
             steps.append(step)
             continue
-        steps += [replace(step, name=f"{step.name}__"), Instruction(
+        steps += [step._replace(name=f"{step.name}__"), Instruction(
             step.name, Op.MUL, (Ref(f"{step.name}__"), Input(place, numbers[step.name])),
             step.component)]
     return replace(program, inputs=(*program.inputs, argument("by", len(rounding) + len(near))),

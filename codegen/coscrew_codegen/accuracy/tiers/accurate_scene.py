@@ -45,7 +45,7 @@ def compared_exactly(program: Program, precision: Precision) -> Program:
     """The program with the constants on either side of < replaced by numbers of this precision that
     give the same results in every comparison."""
     return replace(program, instructions=tuple(
-        step if step.op is not Op.LESS else replace(step, operands=tuple(
+        step if step.op is not Op.LESS else step._replace(operands=tuple(
             _beyond(x, n > 0, precision) for n, x in enumerate(step.operands)))
         for step in program.instructions))
 
@@ -79,8 +79,8 @@ def _fast_two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[
     """hi + lo rounded, and the rest, which is exact if |hi| >= |lo|. Else it may err by u lo, but
     lo has errors of this size already, as a rounded sum.  Source: Dekker, A Floating-Point
     Technique."""
-    total = c.issue(replace(step, name=hi.name), Op.ADD, (hi, lo), "nearest")
-    at = replace(step, name=total.name)
+    total = c.issue(step._replace(name=hi.name), Op.ADD, (hi, lo), "nearest")
+    at = step._replace(name=total.name)
     share = c.issue(at, Op.SUB, (total, hi), "share")
     return total, c.issue(at, Op.SUB, (lo, share), "lo")
 
@@ -116,19 +116,19 @@ def _turned(c: Carrier, step: Instruction) -> None:
     assert low is not None
     (s, cosine), (s_lo, c_lo) = _circle(c, step, x), _circle(c, step, low)
     sine = step.op is Op.SIN
-    products = tuple(replace(step, name=c.name(step.name, f"turn{n}"), op=Op.MUL, operands=pair)
+    products = tuple(step._replace(name=c.name(step.name, f"turn{n}"), op=Op.MUL, operands=pair)
                      for n, pair in enumerate((((s, c_lo), (cosine, s_lo)) if sine else
                                                ((cosine, c_lo), (s, s_lo))), start=1))
     for each in products:
         c.carry(each)
-    c.carry(replace(step, op=Op.ADD if sine else Op.SUB,
+    c.carry(step._replace(op=Op.ADD if sine else Op.SUB,
                     operands=tuple(Ref(product.name) for product in products)))
 
 
 def _circle(c: Carrier, step: Instruction, x: Operand) -> tuple[Ref, ...]:
     """Sine and cosine of a number, once, as hi + lo."""
     def both() -> tuple[Ref, ...]:
-        steps = tuple(replace(step, name=c.name(step.name, op.value), op=op, operands=(x,))
+        steps = tuple(step._replace(name=c.name(step.name, op.value), op=op, operands=(x,))
                       for op in (Op.SIN, Op.COS))
         c.steps += steps
         for each in steps:

@@ -73,7 +73,7 @@ class Carrier:
 
     def carry(self, step: Instruction) -> None:
         """Issues a plain instruction and the instructions that carry it."""
-        self._how.rules[step.op](self, replace(step, operands=tuple(map(self.hi, step.operands))))
+        self._how.rules[step.op](self, step._replace(operands=tuple(map(self.hi, step.operands))))
 
     def finished(self, program: Program) -> Program:
         """The program whose instructions have been carried, its results rounded."""
@@ -112,7 +112,7 @@ class Carrier:
         """lo of an operand, with its rounding error if it is a product."""
         product = self.products.pop(name_of(x), None)
         if product is not None:
-            own = replace(product, component=step.component)
+            own = product._replace(component=step.component)
             cross, operands = self.known(x), (*product.operands, x)
             if cross is None:
                 self.keep(own.name, self.issue(own, Op.PRODUCT_ERROR, operands, "lo"))
@@ -158,7 +158,7 @@ class Carrier:
             low = self.low(at, result)
             if low is None:
                 return result
-            self.steps.append(replace(at, operands=(result, low)))
+            self.steps.append(at._replace(operands=(result, low)))
             self._rounded[result.name] = Ref(name)
         return self._rounded[result.name]
 
@@ -193,8 +193,8 @@ def suffixed(_: Program) -> Name:
 
 def two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, Operand]:
     """hi + lo rounded, and the exact rest."""
-    total = c.issue(replace(step, name=hi.name), Op.ADD, (hi, lo), "sum")
-    at = replace(step, name=total.name)
+    total = c.issue(step._replace(name=hi.name), Op.ADD, (hi, lo), "sum")
+    at = step._replace(name=total.name)
     right = c.issue(at, Op.SUB, (total, hi), "right")
     left = c.issue(at, Op.EXACT_SUB, (total, right), "left")
     rests = (c.issue(at, Op.EXACT_SUB, (hi, left), "left_rest"),
@@ -231,13 +231,13 @@ def negation(c: Carrier, step: Instruction) -> None:
     if product is not None:
         a, b = product.operands
         a = c.issue(step, Op.NEG, (a,), "factor")
-        c.products[step.name] = replace(step, op=Op.MUL, operands=(a, b))
+        c.products[step.name] = step._replace(op=Op.MUL, operands=(a, b))
 
 
 def product(c: Carrier, step: Instruction) -> None:
     """(a + a_lo)(b + b_lo): hi = a b rounded, lo = a_lo b + a b_lo and the rounding error, which is
     zero if a or b is a power of two."""
-    step = replace(step, operands=tuple(c.factor(step, x) for x in step.operands))
+    step = step._replace(operands=tuple(c.factor(step, x) for x in step.operands))
     low = [c.low(step, x) for x in step.operands]
     c.steps.append(step)
     c.keep(step.name, cross_terms(c, step, *low))

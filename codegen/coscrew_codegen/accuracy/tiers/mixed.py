@@ -4,7 +4,7 @@ A Mixture's instructions in pairs are those of the pairs tier.  The others have 
 Their operands that are pairs take part as hi + lo where that matters, so the result is hi plus the
 contributions of the lo; else as hi + lo rounded."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from coscrew_codegen.accuracy.tiers.accurate_scene import SCENES, compared_exactly, rounded
 from coscrew_codegen.accuracy.tiers.compensated import Carrier, cross_terms
@@ -55,13 +55,13 @@ class _Mixed:
                for place, x in enumerate(known)]
         operands = tuple(x if more is not None else self._single(step, x)
                          for x, more in zip(known, low, strict=True))
-        step = replace(step, operands=operands)
+        step = step._replace(operands=operands)
         more = self._contributed(step, low)
         if more is None:
             self.pairs.steps.append(step)
         else:
             high = self.pairs.issue(step, step.op, operands, "high")
-            self.pairs.steps.append(replace(step, op=Op.ADD, operands=(high, more)))
+            self.pairs.steps.append(step._replace(op=Op.ADD, operands=(high, more)))
 
     def _contributed(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """Returns the contribution of the lo parts to a sum, a difference or a product."""
@@ -80,7 +80,7 @@ class _Mixed:
             return x
         low = self.pairs.low(step, x)
         assert low is not None
-        at = replace(step, name=name_of(x))
+        at = step._replace(name=name_of(x))
         return self.pairs.once("single", x, lambda: (
             self.pairs.issue(at, Op.ADD, (x, low), "near"),))[0]
 

@@ -53,14 +53,14 @@ class _Rewriting:
         if step.op is Op.NEG and name_of(step.operands[0]) in self._negated:
             return []
         if step.name in self._exchanged:
-            return [replace(step, op=Op.ADD, operands=step.operands[::-1])]
+            return [step._replace(op=Op.ADD, operands=step.operands[::-1])]
         if step.name not in self._negated:
             return [step]
         stood_for, (a, b), steps = self._negated[step.name], step.operands, []
         if name_of(a) not in self._negated:
-            steps = [replace(step, name=f"{step.name}_lead", op=Op.NEG, operands=(a,))]
+            steps = [step._replace(name=f"{step.name}_lead", op=Op.NEG, operands=(a,))]
             a = Ref(steps[0].name)
-        new = replace(step, op=_OTHER[step.op], operands=(a, b))
+        new = step._replace(op=_OTHER[step.op], operands=(a, b))
         if stood_for is not None:
-            new = replace(new, name=stood_for.name, component=stood_for.component)
+            new = new._replace(name=stood_for.name, component=stood_for.component)
         return [*steps, new]

@@ -7,7 +7,6 @@ of quotients and roots, a - q b and a - s s, are exact; the errors of elementary
 computed by error functions."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
@@ -26,7 +25,7 @@ def _by(low: Low, normal: bool = True) -> Rule:
     """The rule that issues hi and this lo, of operands that are first normalized if `normal`."""
     def rule(c: Carrier, step: Instruction) -> None:
         if normal:
-            step = replace(step, operands=tuple(c.normalized(step, x) for x in step.operands))
+            step = step._replace(operands=tuple(c.normalized(step, x) for x in step.operands))
         lows = [c.low(step, x) for x in step.operands]
         if step.op in _PARTNER:
             _issue_both(c, step)
@@ -109,7 +108,7 @@ def _issue_both(c: Carrier, step: Instruction) -> None:
         return
     names = {each.name for each in c.pairs.get(step.name, ())} - {step.name, *c.partners}
     name = names.pop() if names else c.name(step.name, "partner")
-    c.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
+    c.steps += [step, step._replace(name=name, op=_PARTNER[step.op])]
     c.partners |= {step.name: Ref(name), name: Ref(step.name)}
 
 

@@ -6,7 +6,9 @@ Results are stored last, after everything has been read: outputs may overlap inp
 import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
+from coscrew_codegen.backends.c import c_early_stores
 from coscrew_codegen.backends.c.c_library import nested, quantity
 from coscrew_codegen.backends.c.c_nested import EACH, declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, broken, comment_of
@@ -95,8 +97,13 @@ class FunctionBody:
             yield from lines
         stores = Stores(plan.program if self.plan else self.program, assigned, results,
                         self.stored.targets, layout, self.precision)
+        saved = self._saved(stores.single())
+        if c_early_stores.pays(stores):
+            yield from c_early_stores.statements(
+                stores, saved, partial(declarations, precision=working, width=WIDTH - 2), WIDTH - 2)
+            return
         yield from declarations(stores.declared(), working, WIDTH - 2)
-        yield from stores.statements(self._saved(stores.single()), WIDTH - 2)
+        yield from stores.statements(saved, WIDTH - 2)
 
     def _angle(self, program: Program, arrays: AngleArrays) -> Callable[[int], str]:
         """The text of an angle in arrays, by its index."""

@@ -99,4 +99,4 @@ def _without_names_of_constants(program: Program) -> Program:
         return replace(x, name="") if isinstance(x, Constant) else x
 
     return replace(program, instructions=tuple(
-        replace(step, operands=tuple(map(other, step.operands))) for step in program.instructions))
+        step._replace(operands=tuple(map(other, step.operands))) for step in program.instructions))

@@ -106,8 +106,8 @@ class _PrintedProgram:
         for place, x in enumerate(operands):
             if isinstance(x, Ref) and x.name in self._comparisons:
                 operands[place] = Ref(f"{step.name} {x.name}")
-                yield replace(self._comparisons[x.name], name=f"{step.name} {x.name}")
-        yield replace(step, operands=tuple(operands))
+                yield self._comparisons[x.name]._replace(name=f"{step.name} {x.name}")
+        yield step._replace(operands=tuple(operands))
 
     def _sum(self, step: Instruction, product: Instruction) -> Iterator[Instruction]:
         """a b + c, a b + (-c) or (-a) b + c."""
@@ -122,7 +122,7 @@ class _PrintedProgram:
             else:
                 yield Instruction(f"{step.name}_negated", Op.NEG, (negated,), step.component)
             a, c = (a, opposite) if minuend else (opposite, c)
-        yield replace(step, operands=(a, b, c))
+        yield step._replace(operands=(a, b, c))
 
     @cached_property
     def _comparisons(self) -> dict[str, Instruction]:

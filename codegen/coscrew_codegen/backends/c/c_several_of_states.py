@@ -64,7 +64,7 @@ def in_turn(program: Program, count: int) -> Program:
         return Ref(named(x.name, n)) if isinstance(x, Ref) else x
 
     def step(x: Instruction, n: int) -> Instruction:
-        return replace(x, name=named(x.name, n), operands=tuple(operand(y, n) for y in x.operands))
+        return x._replace(name=named(x.name, n), operands=tuple(operand(y, n) for y in x.operands))
 
     def arguments(of: Sequence[Argument]) -> tuple[Argument, ...]:
         return tuple(replace(a, name=f"{a.name}_{n + 1}") for n in range(count) for a in of)

@@ -112,24 +112,37 @@ class Stores:
     def statements(self, saved: Mapping[str, str], width: int) -> Iterator[str]:
         """Arrays and declarations of the values that are read before any store, and the stores;
         `saved` has the variables of inputs that are results."""
-        real, in_place = self.precision.c_type, self.layout.in_place
-        first = {x.first_target: x for x in self.alike}
-        apart = [x for x in self.alike if x.reads and not in_place]
-        yield from (x.array(real) for x in apart)
+        yield from (x.array(self.precision.c_type) for x in self._apart)
+        yield from self.copies(saved, width)
+        yield from self.of_targets(self.targets, saved, width)
+
+    def copies(self, saved: Mapping[str, str], width: int) -> Iterator[str]:
+        """Declarations of variables that hold inputs."""
         if saved:
-            yield listed(f"const {real} ", [f"{name} = {x}" for x, name in saved.items()], ";",
-                         width)
+            yield listed(f"const {self.precision.c_type} ",
+                         [f"{name} = {x}" for x, name in saved.items()], ";", width)
+
+    def of_targets(self, targets: Sequence[str], saved: Mapping[str, str], width: int
+                   ) -> Iterator[str]:
+        """The stores to these targets."""
+        first = {x.first_target: x for x in self.alike}
         waiting: list[tuple[str, str]] = []
         single = dict(self.single())
-        for target in self.targets:
+        for target in targets:
             if target in single:
                 text = single[target]
                 waiting += [(target, saved.get(text, text))] if target != text else []
             elif target in first:
                 yield from in_rows(waiting, self.layout.rows, width)
                 waiting = []
-                yield first[target].copied if first[target] in apart else first[target].loop
+                run = first[target]
+                yield run.copied if run in self._apart else run.loop
         yield from in_rows(waiting, self.layout.rows, width)
+
+    @cached_property
+    def _apart(self) -> list[_StoreRun]:
+        """The loops that fill arrays, since outputs may overlap what they read."""
+        return [x for x in self.alike if x.reads and not self.layout.in_place]
 
     @cached_property
     def alike(self) -> list[_StoreRun]:

@@ -11,5 +11,6 @@ class FramedPage:
     text: str
 
     def _repr_html_(self) -> str:
-        return (f'<iframe srcdoc="{html.escape(self.text)}" sandbox="allow-scripts" '
+        return (f'<iframe srcdoc="{html.escape(self.text)}" '
+                'sandbox="allow-scripts allow-downloads" '
                 'style="width:100%;height:40rem;border:0"></iframe>')

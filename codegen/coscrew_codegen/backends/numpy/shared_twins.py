@@ -41,10 +41,10 @@ def shared(double: Program, single: Program) -> SharedProgram | None:
 
 def _both(a: Instruction, b: Instruction) -> Instruction | None:
     operands = [_operand(x, y) for x, y in zip(a.operands, b.operands, strict=False)]
-    same = replace(a, operands=()) == replace(b, operands=())
+    same = a._replace(operands=()) == b._replace(operands=())
     if not same or len(a.operands) != len(b.operands) or not all(operands):
         return None
-    return replace(a, operands=tuple(filter(None, operands)))
+    return a._replace(operands=tuple(filter(None, operands)))
 
 
 def _operand(a: Operand, b: Operand) -> Operand | None:

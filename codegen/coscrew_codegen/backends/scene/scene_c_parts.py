@@ -7,9 +7,11 @@ to each other in structures on the stack of the function that calls them.
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import groupby
 
 from coscrew_codegen.algebra.recording.recorder import headings
+from coscrew_codegen.backends.c.c_early_stores import has_many_results
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
 from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
@@ -31,20 +33,26 @@ from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFuncti
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 
 LONG = 4000
-"""If a scene's longest function has at most so many instructions, its functions are not cut: those
-of arms with seven joints are shorter, and would be slower in parts."""
+"""A function with at most so many instructions is not cut: those of arms with seven joints are
+shorter, and would be slower in parts."""
+MATRICES = Fraction(3, 2)
+"""Functions of matrices are not cut up to so many times that length: their results leave registers
+early.  Parts made derivatives of seven joints' forward dynamics take 1.1 times as long, and 1.17
+times in lanes; the mass matrix of 35 joints 1.03 and 1.09 times."""
 LONGEST = 600
 """Largest number of instructions of a part: those of a few links."""
 _OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
 
 
 def _cuts(plans: Sequence[NestingPlan]) -> dict[str, Cut]:
-    """The functions that are cut, by name: if one of the scene's is long, all that are longer than
-    a part."""
-    programs = [plan.program for plan in plans]
-    if max((len(x.instructions) for x in programs), default=0) <= LONG:
-        return {}
-    return cut([_angles_first(x) for x in programs if len(x.instructions) > LONGEST], LONGEST)
+    """The long functions, which are cut, by name."""
+    long = [plan.program for plan in plans if _is_long(plan.program)]
+    return cut([_angles_first(x) for x in long], LONGEST)
+
+
+def _is_long(program: Program) -> bool:
+    longest = LONG * (MATRICES if has_many_results(program) else 1)
+    return len(program.instructions) > longest
 
 
 def _angles_first(program: Program) -> Program:

@@ -4,7 +4,7 @@ A column holds the torques, at a joint and at all joints between it and the base
 acceleration of that joint.  Columns and rows of followers are added to those of their leaders.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, add
@@ -12,6 +12,7 @@ from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import along
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 
 def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
@@ -50,8 +51,9 @@ def _label(motion: Motion, symbol: str, body: Rigid) -> None:
 
 
 def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
-                inertias: Mapping[str, Number]) -> list[list[Number]]:
-    """M; `inertias`, those of joints themselves, are added to its diagonal."""
+                inertias: OwnInertias) -> list[list[Number]]:
+    """M; `inertias`, those of joints themselves, are added to its diagonal, and of sums to their
+    rows."""
     tree, zero = motion.tree, motion.zero[0]
     M = [[zero] * tree.nv for _ in range(tree.nv)]
     bodies, added = composites(motion, rigids), _added(motion, rigids)
@@ -66,7 +68,8 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
                 for freedom in range(len(motion.subspace(number))):
                     own, factor = _speed(motion, number, freedom)
                     M[own][own] = M[own][own] + inertias[link.joint.name] * (factor * factor)
-    return [[M[max(i, j)][min(i, j)] for j in range(tree.nv)] for i in range(tree.nv)]
+    return inertias.enter(
+        [[M[max(i, j)][min(i, j)] for j in range(tree.nv)] for i in range(tree.nv)])
 
 
 def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],

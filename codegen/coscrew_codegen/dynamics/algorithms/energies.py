@@ -21,7 +21,7 @@ def kinetic(x: FunctionRecording, motion: Motion) -> Number:
             if link.joint.name in x.inertias:
                 for v in motion.speeds(number):
                     total = total + x.inertias[link.joint.name] * (v * v) / 2
-    return total
+    return x.inertias.energy(motion.v, total)
 
 
 def of_inertia(M: Articulated, twist: Twist) -> Number:

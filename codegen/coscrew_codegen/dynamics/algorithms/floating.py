@@ -24,12 +24,8 @@ from coscrew_codegen.dynamics.algorithms import crba, energies
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import (
-    AppliedEffects,
-    alone,
-    gravity,
-    joint_inertias,
-)
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, alone
+from coscrew_codegen.dynamics.forces.scene_constants import gravity, joint_inertias
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect_quantities import count_of, places_of, states_of
 from coscrew_codegen.scene.mechanism.tree import Tree
@@ -55,7 +51,7 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
     """The trees on which an effect exerts an external force, by first link."""
     if applied.effect.body_force or applied.effect.body_inertia:
         return {_root(tree, tree.link_and_body(applied.on)[0])}
-    if applied.effect.pair_force:
+    if applied.effect.pair_force or applied.effect.bodies_force:
         ends = {_root(tree, tree.link_and_body(body)[0]) for body in applied.bodies}
         return ends if len(ends) > 1 else set()
     if applied.effect.joint_torque or applied.effect.joint_inertia:
@@ -74,11 +70,11 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder), states=places_of(scene))
     only = alone(scene, applied)
-    acting = AppliedEffects(only, motion).act()
+    acting, own = AppliedEffects(only, motion).act(), joint_inertias(only, recorder, tree)
     numbers = [*(x for link in acting.forces for x in acting.force(link)),
                *(x for link in acting.torques for x in acting.torque(link)),
                *(x for inertias in acting.inertias.values() for y in inertias for x in y.entries),
-               *joint_inertias(only, recorder).values()]
+               *own.values(), *(x.inertia for x in own.sums)]
     return all(x.is_zero for x in numbers)
 
 

@@ -15,6 +15,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     Number,
     Vector,
     add,
+    dot,
     linear,
     maximum,
     scaled,
@@ -26,18 +27,24 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce
+from coscrew_codegen.dynamics.contacts.soft_rows import (
+    SoftRow,
+    Solve,
+    Weights,
+    axes_about,
+    product,
+    with_soft_rows,
+)
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
+from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
-from coscrew_codegen.scene.effect import Slopes, required
-
-Weights = Callable[..., tuple[Number, Number]]
-"""(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
-also stiffness over it, in 1/s²) -> (m, c)."""
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
+from coscrew_codegen.dynamics.forces.rotors import Eliminated, eliminated
+from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
 
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
-_Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
 Inverse = Callable[[Sequence[Number]], list[Number]]
 """e -> (M + m)⁻¹ e."""
 
@@ -59,21 +66,22 @@ class Implicit:
     rates: list[Number]
     inertias: list[Number]
     inverse: Inverse
+    rotors: Mapping[int, Eliminated]  # by velocity
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
-                  inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
+                  inertias: OwnInertias, tau: Sequence[Number]) -> list[Number]:
     """a with M a + bias = tau."""
     own = _own(motion, inertias)
     torques = acting.with_sums(add(tau, _gathered(
         motion, {n: acting.torque(n) for n in sorted(acting.torques)})))
     torques = _without_own_bias(motion, inertias, torques)
-    return _solver(motion, rigids)(lambda k, _: (torques[k], own[k]),
-                                   rnea.net_wrenches(motion, rigids, acting))
+    return _solver(motion, inertias, rigids)(lambda k, _: (torques[k], own[k]),
+                                             rnea.net_wrenches(motion, rigids, acting))
 
 
 def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
-             inertias: Mapping[str, Number], weights: Weights, tau: Sequence[Number],
+             inertias: OwnInertias, weights: Weights, tau: Sequence[Number],
              slopes: AppliedEffects | None = None) -> Implicit:
     """a with (M + m) a = tau - bias - c v.
 
@@ -83,15 +91,23 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
     damping, stiffness = slopes_at_joints(start)
     rates, moved = list(damping), list(own)
+    geared = {motion.tree.links[n].v.start: (x, start.rotors[n]) for n, x in acting.rotors.items()}
+    rotors: dict[int, Eliminated] = {}
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
         moved[k] = inertia + own[k]
         rates[k] = damping[k] / moved[k]
         mass, c = weights(damping[k], stiffness[k], rates[k])
-        return torques[k] - c * start.motion.v[k], own[k] + mass
+        torque, more = torques[k] - c * start.motion.v[k], own[k] + mass
+        if k in geared:
+            now, before = geared[k]
+            rotors[k] = eliminated(now, before, weights, moved[k])
+            push, beside = rotors[k].on_joint
+            torque, more = torque + (push - required(now.gear.torque.torque)), more + beside
+        return torque, more
 
     joint: Joint = at_joint
-    solve = _solver(motion, *_resisted(motion, start, rigids, weights))
+    solve = _solver(motion, inertias, *_resisted(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
             e = _along_velocities(motion, pair.unit_wrenches)
@@ -100,13 +116,37 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     for number, x in enumerate(start.sums):
         if len(x.weights) > 1:
             with motion.recorder.part(f"sum_{number}", heading="sums of coordinates"):
-                e = [motion.recorder.number(x.weights.get(k, 0)) for k in range(motion.tree.nv)]
+                e = row(motion, x.weights)
                 solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
                                           solve, joint)
+    if start.touches:
+        with motion.recorder.part("touches", heading="contacts of bodies"):
+            solve, joint = with_soft_rows(_soft_rows(motion, start, acting), weights, solve, joint,
+                                          _still(motion))
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
     return Implicit(a, rates, moved, lambda e: solve(
-        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
+        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)), rotors)
+
+
+def row(motion: Motion, weights: Mapping[int, Number | Fraction]) -> list[Number]:
+    """The weights of all velocities."""
+    given = (weights.get(k, Fraction(0)) for k in range(motion.tree.nv))
+    return [motion.recorder.number(x) if isinstance(x, Fraction) else x for x in given]
+
+
+def _soft_rows(motion: Motion, start: AppliedEffects, acting: AppliedEffects) -> list[SoftRow]:
+    """Three rows of each contact of two bodies: along the normal, and two across it."""
+    rows = []
+    for touch, now in zip(start.touches, acting.touches, strict=True):
+        between, law = touch.between, touch.between.law
+        for direction, slopes in zip(axes_about(between.n), (law.along, law.across, law.across),
+                                     strict=True):
+            e = _along_velocities(motion, touch.unit_wrenches(direction))
+            rate = dot(direction, between.u)
+            faster = None if start is acting else dot(direction, now.between.u) - rate
+            rows.append(SoftRow(e, slopes, rate, faster))
+    return rows
 
 
 def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
@@ -124,15 +164,15 @@ def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]
     return damping, stiffness
 
 
-def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
+def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: OwnInertias,
                     unit: Sequence[Number]) -> Number:
     """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
-    return _product(unit, inverse(motion, rigids, inertias)(unit))
+    return product(unit, inverse(motion, rigids, inertias)(unit))
 
 
-def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]) -> Inverse:
+def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: OwnInertias) -> Inverse:
     """M⁻¹, without slopes of effects."""
-    own, solve = _own(motion, inertias), _solver(motion, rigids)
+    own, solve = _own(motion, inertias), _solver(motion, inertias, rigids)
     return lambda e: solve(lambda k, _: (e[k], own[k]), _still(motion))
 
 
@@ -141,14 +181,24 @@ def _still(motion: Motion) -> list[Wrench]:
     return [(*motion.zero, *motion.zero)] * len(motion.tree.links)
 
 
-def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
-    """The joints' own inertias, by velocity."""
-    return _gathered(motion, {n: [inertias[link.joint.name]] * max(1, len(link.v))
-                              for n, link in enumerate(motion.tree.links)
-                              if link.joint.name in inertias}, 2)
+def dense(motion: Motion, inertias: OwnInertias) -> bool:
+    """Returns whether the mass matrix is factored as a whole: joints follow others, or inertias
+    couple them; otherwise articulated bodies are eliminated."""
+    return motion.tree.follows or bool(inertias.coupling.sums)
 
 
-def _without_own_bias(motion: Motion, inertias: Mapping[str, Number], torques: Sequence[Number]
+def _own(motion: Motion, inertias: OwnInertias) -> list[Number]:
+    """The joints' own inertias, by velocity, with those of sums of one term."""
+    own = _gathered(motion, {n: [inertias[link.joint.name]] * max(1, len(link.v))
+                             for n, link in enumerate(motion.tree.links)
+                             if link.joint.name in inertias}, 2)
+    for x in inertias.alone:
+        (place, weight), = x.weights.items()
+        own[place] = own[place] + x.inertia * (weight * weight)
+    return own
+
+
+def _without_own_bias(motion: Motion, inertias: OwnInertias, torques: Sequence[Number]
                       ) -> list[Number]:
     """The torques less those that joints' own inertias take at a = 0."""
     results = list(torques)
@@ -219,7 +269,19 @@ def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], w
                     slopes, e = force.along
                     along, _ = _represented(slopes, body, weights)
                     rows.append(_Row(number, along - across, e))
+                if force.turning:
+                    turning, e = force.turning
+                    across, about = (_about_axis(x, body, weights) for x in (
+                        turning.across, turning.along))
+                    bodies[number] = _with_moments(bodies[number], across)
+                    rows.append(_Row(number, about - across, e))
     return bodies, rows
+
+
+def _about_axis(slopes: Slopes, body: Rigid, weights: Weights) -> Number:
+    """m for the damping of a moment; z is that over the body's mean moment of inertia."""
+    mean = maximum((body.I[0] + body.I[1] + body.I[2]) / 3, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, slopes.damping / mean)[0]
 
 
 def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
@@ -241,6 +303,8 @@ def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
                     faster = subtract(motion.twist(number), before)
                     results[number] = subtract(results[number], _push(
                         force, faster, force.across.damping, along and along[0].damping))
+                    if force.turning:
+                        results[number] = subtract(results[number], _turn(*force.turning, faster))
                 _, c = _represented(force.across, body, weights)
                 c_along = along and _represented(along[0], body, weights)[1]
                 if not c.is_zero or c_along and not c_along.is_zero:
@@ -260,17 +324,25 @@ def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | No
     return add(wrench, scaled((along - across) * call("dot_cs", e, twist)[0], e))
 
 
-def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> _Solve:
+def _turn(slopes: PointSlopes, e: Wrench, twist: Wrench) -> Wrench:
+    """The moment on a link of the slopes' damping at the angular velocity of a twist."""
+    across, along = slopes.across.damping, slopes.along.damping
+    turn = (*e[:3], *scaled(across, twist[3:]))
+    return add(turn, scaled((along - across) * dot(e[3:], twist[3:]), e))
+
+
+def _solver(motion: Motion, inertias: OwnInertias, rigids: Sequence[Rigid],
+            rows: Sequence[_Row] = ()) -> Solve:
     """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
     that depend on neither are issued once."""
-    if not motion.tree.follows:
+    if not dense(motion, inertias):
         bodies = [Articulated.of(body) for body in rigids]
         for row in rows:
             with motion.part(row.link, "B"):
                 bodies[row.link] = bodies[row.link].with_row(row.mass, row.e)
         eliminated = aba.Elimination(motion, bodies)
         return lambda joint, wrenches: eliminated.accelerations(wrenches, joint)
-    M = crba.mass_matrix(motion, rigids, {})
+    M = crba.mass_matrix(motion, rigids, inertias.coupling)
     for row in rows:
         with motion.recorder.part("solution", heading="M a = tau"):
             e = _along_velocities(motion, [(row.link, row.e)])
@@ -278,7 +350,8 @@ def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) 
                  for A, a in zip(M, e, strict=True)]
 
     def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
-        bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
+        bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None,
+                                  OwnInertias())
         with motion.recorder.part("solution", heading="M a = tau"):
             torques, A = [], [list(row) for row in M]
             for k, row in enumerate(A):
@@ -291,16 +364,16 @@ def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) 
 
 
 def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: JointEffect,
-               weights: Weights, solve: _Solve, joint: Joint) -> tuple[_Solve, Joint]:
+               weights: Weights, solve: Solve, joint: Joint) -> tuple[Solve, Joint]:
     """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
     the initial rate l' = e·v, d (l'_now - l') e added.
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
     zero, and 1/(e·w) is the inertia that the effect acts on."""
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
-    slopes, rate, product = along.slopes, along.at.v, _product(e, w)
-    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
-    share = mass / (1 + mass * product)
+    slopes, rate, mobility = along.slopes, along.at.v, product(e, w)
+    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * mobility)
+    share = mass / (1 + mass * mobility)
     pull = c * rate
     if now is not along:
         pull = pull - slopes.damping * (now.at.v - rate)
@@ -308,7 +381,7 @@ def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: Joi
 
     def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         a = solve(joint, wrenches)
-        return list(subtract(a, scaled(share * _product(e, a), w)))
+        return list(subtract(a, scaled(share * product(e, a), w)))
 
     def joint_with_line(k: int, inertia: Number) -> tuple[Number, Number]:
         torque, own = joint(k, inertia)
@@ -323,14 +396,8 @@ def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) ->
     for link, wrench in wrenches:
         if link >= 0:
             total[link] = add(total[link], wrench)
-    return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None, {}))
-
-
-def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
-    total = a[0].like(0)
-    for x, y in zip(a, b, strict=True):
-        total = total + x * y
-    return total
+    return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None,
+                                   OwnInertias()))
 
 
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
@@ -338,3 +405,8 @@ def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     zero = mass.like(0)
     return replace(rigid_of(add(body.numbers, mass.recorder.call(
         "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)
+
+
+def _with_moments(body: Rigid, inertia: Number) -> Rigid:
+    """The body with a moment of inertia about each axis."""
+    return replace(body, I=(*(x + inertia for x in body.I[:3]), *body.I[3:]))

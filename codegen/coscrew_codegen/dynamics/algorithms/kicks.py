@@ -13,10 +13,12 @@ undamped springs keep ½ v·M v + ½ q·K q.  Of second order.  The rows of clos
 E (v0 + v1) = 0, in a third pass.
 
 States of effects, the end of q, move at q_m: x_m = x0 + h/2 x'(v0) before the kick, whose forces
-are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.
+are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.  The kick also changes the
+speeds of rotors behind elastic gears, and what follows with a lag follows the demand at
+(v0 + v1)/2: by h/2 for the kick, by h in all.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -24,18 +26,22 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
+from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
+from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.forces.rotors import Eliminated
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
+from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
+from coscrew_codegen.scene.scene import Applied
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -44,7 +50,7 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 `check`. At the end of the bounce it is far less."""
 
 
-def weights(h: Number) -> forward.Weights:
+def weights(h: Number) -> Weights:
     """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
 
     Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
@@ -55,7 +61,7 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
-def end_weights(h: Number) -> forward.Weights:
+def end_weights(h: Number) -> Weights:
     """(inertia, torque per velocity) for forces at the end of a step h."""
     return lambda d, k, *_: ((d + k * h) * h, k * h)
 
@@ -72,18 +78,45 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     v = recorder.argument("v")
     q, carried = _drifted(x, recorder.argument("q"), v), carries(x.scene)
     first = x.motion(at=(q, v), carried=carried)
-    start = AppliedEffects(x.scene, first).act()
+    start = AppliedEffects(x.scene, first, over=h / 2).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     a, demand, later = kicked.a, reflection(x, first, h), delays(x, h, kicked.rates)
     for _ in range(2 if demand else 1):
         a = demand.met(a, kicked.inverse).a if demand else a
-        again = x.motion(at=(q, _sum(v, scaled(h / 2, a))), carried=carried)
-        acting = AppliedEffects(x.scene, again, later).act()
+        again = x.motion(at=(_turned(x, q, a, kicked.rotors, h / 2),
+                             _sum(v, scaled(h / 2, a))),
+                         carried=carried)
+        acting = AppliedEffects(x.scene, again, later, h / 2, _later(x, h, kicked)).act()
         slopes = start.with_later(acting)
         kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, slopes)
         a = kicked.a
     a = demand.met(a, kicked.inverse).a if demand else a
-    return a, _kept(x, q, _sum(v, scaled(h, a)))
+    return a, _moved(x, acting, q, v, a, kicked.rotors)
+
+
+def _moved(x: FunctionRecording, acting: AppliedEffects, q: Sequence[Number], v: Sequence[Number],
+           a: Sequence[Number], rotors: Mapping[int, Eliminated]) -> list[Number]:
+    """q with the effects' states after the kick and h/2 more, within their bounds."""
+    h, = x.recorder.argument("h")
+    if any(own.lagging for own in acting.states):
+        amid = _turned(x, q, a, rotors, h / 2), _sum(v, scaled(h / 2, a))
+        states = AppliedEffects(x.scene, x.motion(at=amid)).act().states
+        followed = (y for own in states for y in own.followed(h))
+        q = [*q[:x.tree.nq], *(new if own.lagging else old for own, old, new in zip(
+            (own for own in states for _ in own.x), q[x.tree.nq:], followed, strict=True))]
+    return _kept(x, _turned(x, q, a, rotors, h), _sum(v, scaled(h, a)))
+
+
+def _turned(x: FunctionRecording, q: Sequence[Number], a: Sequence[Number],
+            rotors: Mapping[int, Eliminated], time: Number) -> list[Number]:
+    """q with the speeds of rotors after a time at the accelerations of the kick."""
+    results, places = list(q), places_of(x.scene)
+    for applied in x.scene.effects:
+        if applied.effect.elastic:
+            k, place = x.tree.link_of(applied.on).v.start, x.tree.nq + places[applied.name].stop - 1
+            with x.recorder.part("x", heading="states of effects"):
+                results[place] = results[place] + time * rotors[k].acceleration(a[k])
+    return results
 
 
 def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
@@ -91,9 +124,9 @@ def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> 
     nq, (h,) = x.tree.nq, x.recorder.argument("h")
     if len(q) == nq:
         return list(q)
-    rates = AppliedEffects(x.scene, x.motion(at=(q, v))).act().rates
+    states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
     with x.recorder.part("x", heading="states of effects"):
-        return [*q[:nq], *add(tuple(q[nq:]), scaled(h / 2, rates))]
+        return [*q[:nq], *(y for own in states for y in own.drifted(h / 2))]
 
 
 def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
@@ -101,8 +134,8 @@ def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> lis
     if len(q) == x.tree.nq:
         return list(q)
     moved = _drifted(x, q, v)
-    kept = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().kept
-    return [*q[:x.tree.nq], *kept]
+    states = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().states
+    return [*q[:x.tree.nq], *(y for own in states for y in own.kept)]
 
 
 def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
@@ -113,6 +146,17 @@ def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int
         if not (rate := rates[own.v.start]).is_zero:
             with x.recorder.part(x.names[number], "own", link.heading):
                 results[number] = h * _beyond(h, rate)
+    return results
+
+
+def _later(x: FunctionRecording, h: Number, kicked: forward.Implicit) -> dict[int, Number]:
+    """The delays of motors that drive rotors, likewise, by the joint's link."""
+    results = {}
+    for number, link in enumerate(x.tree.links):
+        rotor = None if link.driver else kicked.rotors.get(link.v.start)
+        if rotor and not rotor.rate.is_zero:
+            with x.recorder.part(x.names[number], "own", link.heading):
+                results[number] = h * _beyond(h, rotor.rate)
     return results
 
 
@@ -168,6 +212,7 @@ class _Closing:
     v: Number
     before: Contact
     after: Contact
+    weights: Mapping[int, Number | Fraction]  # of a sum, by velocity
 
     @property
     def depths(self) -> Number:
@@ -180,14 +225,14 @@ class _Closing:
 
     def unit(self, motion: Motion) -> list[Number]:
         """The torques of a torque of 1 along its coordinate."""
-        terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
-        weights = weights_of(motion, terms)
-        return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
+        return forward.row(motion, self.weights or weights_of(motion.tree, (
+            WeightedCoordinate(self.applied.on, 0, Fraction(1)),)))
 
 
 def _part(x: FunctionRecording, applied: Applied, link: int) -> AbstractContextManager[None]:
     if link == SUM:
-        return x.recorder.part(identifiers([applied.label])[0], "own", "sums of coordinates")
+        owner, = identifiers([applied.label or applied.on])
+        return x.recorder.part(owner, "own", "sums of coordinates")
     return x.recorder.part(x.names[link], "own", x.tree.links[link].heading)
 
 
@@ -204,7 +249,8 @@ def _contacts(x: FunctionRecording) -> Iterator[_Closing]:
                 if before:
                     h, = x.recorder.argument("h")
                     after = law(CoordinateState(at.q + h * at.v, at.v, zero, x=own), values)
-                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact))
+                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact),
+                                   at.weights)
 
 
 def _power(x: Number, n: int) -> Number:

@@ -77,7 +77,7 @@ class Motion:
             recorder.argument("v") if moving and recorder.has("v") else still)
         if at:
             self._q, self.v = at
-        self._a = a or (
+        self.a: Sequence[Number] = a or (
             recorder.argument("a") if accelerating and recorder.has("a") else still)
         self.still = not (moving and recorder.has("v"))
         self._states, self._carried = states or {}, carried
@@ -125,7 +125,7 @@ class Motion:
 
     def accelerations(self, link: int) -> tuple[Number, ...]:
         """a of the link's joint."""
-        return self._rates(link, self._a)
+        return self._rates(link, self.a)
 
     def state(self, link: int) -> RecordedJoint:
         """The link's joint at its coordinates."""

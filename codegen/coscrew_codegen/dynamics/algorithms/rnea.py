@@ -4,12 +4,13 @@ Outwards the motion of links, inwards the wrenches that joints transmit; a joint
 component of its wrench along its axis.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.algebra.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
@@ -72,7 +73,7 @@ def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
 
 
 def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEffects | None",
-                  inertias: Mapping[str, Number]) -> list[Number]:
+                  inertias: OwnInertias) -> list[Number]:
     """A torque per velocity: the wrench along the freedom, plus the torque of the joint's own
     inertia, less the torques of effects; torques of followers are added to those of their leaders.
     """
@@ -89,6 +90,7 @@ def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEf
             if acting and number in acting.torques:
                 parts = list(subtract(parts, acting.torque(number)))
             gather(motion, number, parts, torques)
+    torques = inertias.with_sums(torques, motion.a)
     return acting.with_sums(torques, -1) if acting else torques
 
 
@@ -103,7 +105,7 @@ def holding_torques(motion: Motion) -> list[Number]:
     """The torques that hold the model still against gravity at the motion's q."""
     still = motion.at_rest()
     wrenches = net_wrenches(still, rigids(motion.recorder, motion.names, motion.tree), None)
-    return joint_torques(still, transmitted(still, wrenches), None, {})
+    return joint_torques(still, transmitted(still, wrenches), None, OwnInertias())
 
 
 def gather(motion: Motion, number: int, parts: Sequence[Number], total: list[Number]) -> None:

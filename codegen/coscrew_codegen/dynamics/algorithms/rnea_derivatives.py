@@ -26,7 +26,7 @@ are moved to the joints before it, where they have these components along their 
 Entries of joints in different branches are zero, and nothing computes them.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -48,6 +48,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, symmetric
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench, net_wrenches
 from coscrew_codegen.dynamics.algorithms.screw_rates import subspace_rates
+from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 
 Matrix = list[list[Number]]
 Six = tuple[Number, ...]
@@ -88,7 +89,7 @@ class _Beyond:
                        add(self.p, other.p), add(self.f, other.f))
 
 
-def derivatives(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]
+def derivatives(motion: Motion, rigids: Sequence[Rigid], inertias: OwnInertias
                 ) -> TorqueDerivatives:
     """The derivatives of the torques for a motion, of links with these inertias; `inertias`, those
     of joints themselves, are added to M's diagonal.  Each joint's screws must be constants in its
@@ -130,19 +131,23 @@ class _Recursion:
             self._enter_velocity(number)
             self.freedoms.append(self._freedoms(number))
 
-    def derivatives(self, inertias: Mapping[str, Number]) -> TorqueDerivatives:
+    def derivatives(self, inertias: OwnInertias) -> TorqueDerivatives:
         """The matrices, of velocities."""
-        beyond = [self._own(number, f) for number, f in enumerate(
-            net_wrenches(self.motion, self.rigids, None))]
-        for number in reversed(range(len(beyond))):
+        wrenches = net_wrenches(self.motion, self.rigids, None)
+        moved: list[list[_Beyond]] = [[] for _ in wrenches]  # by parent
+        for number in reversed(range(len(wrenches))):
+            beyond = self._own(number, wrenches[number])
+            with self.motion.part(number, "C"):
+                for child in moved[number]:
+                    beyond = beyond.plus(child)
             with self.motion.part(number, "u"):
-                self._enter(number, beyond[number])
+                self._enter(number, beyond)
             parent = self.tree.links[number].parent
             if parent >= 0:
                 with self.motion.part(number, "C"):
-                    beyond[parent] = beyond[parent].plus(self._moved(number, beyond[number]))
-        matrices = map(self._gathered, (self.dq, self.dv, self._with(inertias)))
-        return TorqueDerivatives(*matrices)
+                    moved[parent].append(self._moved(number, beyond))
+        dq, dv, M = map(self._gathered, (self.dq, self.dv, self._with(inertias)))
+        return TorqueDerivatives(dq, dv, inertias.enter(M))
 
     # outwards: velocities, and the rates of screws
 
@@ -244,17 +249,25 @@ class _Recursion:
             self._enter_before(number, column, us)
 
     def _enter_before(self, number: int, column: int, us: tuple[Six, ...]) -> None:
+        """Each of u3 and u4 is moved to the base before the next one: few values wait at a time."""
+        *both, u3, u4 = us
+        for at, (u1, u2) in self._inwards(number, *both):
+            for x, row in self._places(at):
+                self.M[row][column] = self.M[column][row] = self._along(u1, x.s)
+                self.dq[column][row] = self._along(u2, x.rate) + self._along(u1, x.second)
+                self.dv[column][row] = self._along(u2, x.s) + self._along(u1, x.sigma)
+        for u, matrix in ((u3, self.dq), (u4, self.dv)):
+            for at, (moved,) in self._inwards(number, u):
+                for x, row in self._places(at):
+                    matrix[row][column] = self._along(moved, x.s)
+
+    def _inwards(self, number: int, *us: Six) -> Iterator[tuple[int, tuple[Six, ...]]]:
+        """Links before this one, and the coscrews in their frames."""
         at = number
         while (parent := self.tree.links[at].parent) >= 0:
             D, at = self.motion.frame(at), parent
             us = tuple(self.call("product_CoAdc", D, u) for u in us)
-            u1, u2, u3, u4 = us
-            for x, row in self._places(at):
-                self.M[row][column] = self.M[column][row] = self._along(u1, x.s)
-                self.dq[row][column] = self._along(u3, x.s)
-                self.dv[row][column] = self._along(u4, x.s)
-                self.dq[column][row] = self._along(u2, x.rate) + self._along(u1, x.second)
-                self.dv[column][row] = self._along(u2, x.s) + self._along(u1, x.sigma)
+            yield at, us
 
     def _places(self, number: int) -> list[tuple[_Freedom, int]]:
         return [(x, self.places[number] + k) for k, x in enumerate(self.freedoms[number])]
@@ -265,7 +278,7 @@ class _Recursion:
 
     # velocities
 
-    def _with(self, inertias: Mapping[str, Number]) -> Matrix:
+    def _with(self, inertias: OwnInertias) -> Matrix:
         for number, link in enumerate(self.tree.links):
             if link.joint.name in inertias:
                 for _, place in self._places(number):
@@ -298,7 +311,7 @@ class _Coriolis(_Recursion):
     def matrix(self) -> Matrix:
         """C, of velocities."""
         self.screw_rates = [self._screw_rates(n) for n in range(len(self.tree.links))]
-        return self.derivatives({}).dv
+        return self.derivatives(OwnInertias()).dv
 
     def _screw_rates(self, number: int) -> list[Six]:
         """(v; w) × s, plus the rates of screws that depend on q."""
@@ -321,11 +334,7 @@ class _Coriolis(_Recursion):
             self._enter_before(number, column, (u1, u2, u3))
 
     def _enter_before(self, number: int, column: int, us: tuple[Six, ...]) -> None:
-        at = number
-        while (parent := self.tree.links[at].parent) >= 0:
-            D, at = self.motion.frame(at), parent
-            us = tuple(self.call("product_CoAdc", D, u) for u in us)
-            u1, u2, u3 = us
+        for at, (u1, u2, u3) in self._inwards(number, *us):
             for (x, row), rate in zip(self._places(at), self.screw_rates[at], strict=True):
                 self.dv[row][column] = self._along(u3, x.s)
                 self.dv[column][row] = self._along(u2, x.s) + self._along(u1, rate)

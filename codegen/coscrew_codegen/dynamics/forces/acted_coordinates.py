@@ -2,16 +2,20 @@
 with several, one for each velocity; or a weighted sum of joints' coordinates."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
-from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.numbers import Number, dot, maximum, scaled, sqrt
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.scene.effect import Effect
-from coscrew_codegen.scene.scene import Applied, Setting, WeightedCoordinate
+from coscrew_codegen.scene.effect import Effect, required
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
+from coscrew_codegen.scene.mechanism.tree import Tree
+from coscrew_codegen.scene.scene import Applied, Setting
 
 SUM = -1
 """Stands for the link of a weighted sum."""
+_NO_ANGLE = Fraction(1, 10**12)
+"""rad: nearer to rest a joint has no axis about which it is turned."""
 
 
 @dataclass(frozen=True)
@@ -23,16 +27,20 @@ class ActedCoordinate:
     values: Mapping[str, Setting]
     link: int  # that its joint moves; SUM
     freedom: int = 0  # the number of the velocity among those of the joint
+    weights: Mapping[int, Number | Fraction] = field(default_factory=dict)  # of a sum, by velocity
 
 
 def acted_coordinates(motion: Motion, applied: Applied) -> list[ActedCoordinate]:
     """The coordinates along which the effect acts."""
     if applied.terms:
-        return [ActedCoordinate(*_sum(motion, applied.terms), applied.values, SUM)]
+        return [ActedCoordinate(*sum_of(motion, applied.terms), applied.values, SUM,
+                                weights=weights_of(motion.tree, applied.terms))]
     link = link_of(motion, applied.on)
     q, v = motion.coordinates(link), motion.speeds(link)
     if len(v) == 1:
         return [ActedCoordinate(q[0], v[0], applied.values, link)]
+    if applied.effect.by_angle:
+        return [_angle(motion, link, applied)]
     along, values = _from_rest(motion, link, applied)
     return [ActedCoordinate(x, rate, values(k), link, k)
             for k, (x, rate) in enumerate(zip(along, v, strict=True))]
@@ -43,21 +51,21 @@ def link_of(motion: Motion, joint: str) -> int:
     return motion.tree.links.index(motion.tree.link_of(joint))
 
 
-def weights_of(motion: Motion, terms: Iterable[WeightedCoordinate]) -> dict[int, Fraction]:
+def weights_of(tree: Tree, terms: Iterable[WeightedCoordinate]) -> dict[int, Fraction]:
     """The weights of the velocities in the rate of a sum; a follower's is its leader's, times its
     multiplier."""
     weights: dict[int, Fraction] = {}
     for term in terms:
-        link = motion.tree.links[link_of(motion, term.joint)]
+        link = tree.link_of(term.joint)
         place, weight = link.v.start + term.coordinate, term.weight
         if link.driver:
-            place = motion.tree.links[link.driver.link].v.start
+            place = tree.links[link.driver.link].v.start
             weight = weight * link.driver.multiplier
         weights[place] = weights.get(place, Fraction(0)) + weight
     return {place: weight for place, weight in weights.items() if weight}
 
 
-def _sum(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
+def sum_of(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
     """Σ weight q and Σ weight v."""
     q = v = motion.zero[0]
     for term in terms:
@@ -65,6 +73,18 @@ def _sum(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, N
         q = q + motion.coordinates(link)[term.coordinate] * term.weight
         v = v + motion.speeds(link)[term.coordinate] * term.weight
     return q, v
+
+
+def _angle(motion: Motion, link: int, applied: Applied) -> ActedCoordinate:
+    """The angle by which a joint is turned, whose rate is that about the axis of its rotation."""
+    x = motion.tree.links[link]
+    deviation = required(required(x.joint.kind.manifold).deviation)
+    turned = tuple(deviation(motion.coordinates(link), motion.recorder.numbers(
+        [Fraction(y) for y in x.joint.kind.neutral])))
+    angle = sqrt(maximum(dot(turned, turned), _NO_ANGLE**2))
+    axis = scaled(1 / angle, turned)
+    return ActedCoordinate(angle, dot(axis, motion.speeds(link)), applied.values, SUM,
+                           weights=dict(zip(x.v, axis, strict=True)))
 
 
 def _from_rest(motion: Motion, link: int, applied: Applied

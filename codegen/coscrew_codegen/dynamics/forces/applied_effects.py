@@ -3,8 +3,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import replace
 from functools import cached_property, partial
 from operator import mul
 
@@ -29,7 +28,6 @@ from coscrew_codegen.dynamics.forces.acted_coordinates import (
     SUM,
     ActedCoordinate,
     acted_coordinates,
-    weights_of,
 )
 from coscrew_codegen.dynamics.forces.added_inertia import (
     Stream,
@@ -39,122 +37,46 @@ from coscrew_codegen.dynamics.forces.added_inertia import (
 )
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.forces.exerted_forces import (
+    CLOSEST,
+    AppliedForce,
+    Paired,
+    Summed,
+    Touch,
+    own_power,
+)
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.moving_states import MovingStates
 from coscrew_codegen.dynamics.forces.potentials import body_force
+from coscrew_codegen.dynamics.forces.rotors import Rotor
+from coscrew_codegen.dynamics.forces.scene_constants import owner
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
     FIRST,
     SECOND,
+    Between,
     CoordinateState,
     Effect,
     Force,
-    PointSlopes,
-    Slopes,
-    Torque,
+    TwoBodies,
+    Values,
     required,
 )
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
-@dataclass(frozen=True)
-class AppliedForce:
-    """A force on a body."""
-
-    state: BodyOfLink
-    force: Force
-
-    @property
-    def wrench(self) -> tuple[Number, ...]:
-        """(f; τ) at the point, in the body's frame."""
-        return (*required(self.force.force), *(self.force.moment or self.state.motion.zero))
-
-    @property
-    def on_link(self) -> tuple[Number, ...]:
-        """[Ad]* c: force and moment about the link's origin, in its frame."""
-        frame = self.state.frame(required(self.force.point))
-        return self.state.t.recorder.call("product_CoAdc", frame, self.wrench)
-
-    @property
-    def point_in_link(self) -> Vector:
-        """The point at which it acts, in the link's frame."""
-        return self.state.in_link(required(self.force.point))
-
-    @property
-    def across(self) -> Slopes:
-        """Its slopes across their direction, or in all directions if they have none."""
-        slopes = self.force.slopes
-        return slopes.across if isinstance(slopes, PointSlopes) else required(slopes)
-
-    @property
-    def along(self) -> tuple[Slopes, tuple[Number, ...]] | None:
-        """Its slopes along a direction, and the wrench on the link of 1 N along it; None if they
-        are the same in all directions."""
-        slopes = self.force.slopes
-        if not isinstance(slopes, PointSlopes):
-            return None
-        unit = Force(self.force.point, slopes.direction)
-        return slopes.along, AppliedForce(self.state, unit).on_link
-
-    def power(self) -> Number:
-        """f·v + τ·ω."""
-        return self.state.t.recorder.call("dot_cs", self.wrench,
-                                          self.state.twist(required(self.force.point)))[0]
-
-
-CLOSEST = Fraction(1, 10**12)
-"""m: where two points are closer, the direction from one to the other fades to zero."""
-
-
-@dataclass(frozen=True)
-class Paired:
-    """A force between two points, along the line from the first to the second."""
-
-    states: tuple[BodyOfLink, BodyOfLink]
-    points: tuple[Vector, Vector]
-    direction: Vector  # of length 1, in the world's frame
-    along: JointEffect
-
-    @property
-    def forces(self) -> tuple[Force, Force]:
-        """The forces on both bodies; energy and power are counted with the first."""
-        torque = self.along.torque
-        size = required(torque.torque)
-        pull = scaled(-size, self.direction)
-        first, second = self.states
-        power = _own_power(torque, lambda: size * self.along.at.v)
-        zero = pull[0].like(0)
-        return (Force(self.points[0], first.own_direction(pull), energy=torque.energy,
-                      power=zero.like(power)),
-                Force(self.points[1], second.own_direction(negative(pull)), power=zero))
-
-    @property
-    def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
-        """(link, wrench on it) for forces of 1 N that separate the points."""
-        first, second = self.states
-        u = self.direction
-        forces = (Force(self.points[0], first.own_direction(negative(u))),
-                  Force(self.points[1], second.own_direction(u)))
-        return [(state.link, AppliedForce(state, force).on_link)
-                for state, force in zip(self.states, forces, strict=True)]
-
-
-@dataclass(frozen=True)
-class Summed:
-    """An effect on a weighted sum of coordinates; its torque acts on each velocity by the weight.
-    """
-
-    weights: Mapping[int, Fraction]  # by velocity
-    along: JointEffect
-
-
 class AppliedEffects:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
-    At the joints of the links in `delays` the delay is added to the time."""
+    At the joints of the links in `delays` the delay is added to the time, and for motors that drive
+    a rotor there that in `of_rotors`.  Torques with a lag have
+    followed their demands for the time `over`."""
 
-    def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None):
-        self.scene, self.motion = scene, motion
+    def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None,
+                 over: Number | None = None, of_rotors: Mapping[int, Number] | None = None):
+        self.scene, self.motion, self._over = scene, motion, over
+        self._of_rotors = of_rotors or {}
         recorder = motion.recorder
         self.recorder = recorder
         self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
@@ -162,18 +84,20 @@ class AppliedEffects:
         self.torques: dict[int, list[JointEffect]] = {}
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
+        self.touches: list[Touch] = []
         self.sums: list[Summed] = []
-        self.rates: list[Number] = []  # x' of the effects' states
-        self.kept: list[Number] = []  # the states within their bounds
+        self.states: list[MovingStates] = []
+        self.rotors: dict[int, Rotor] = {}
+        self._geared = {x.on: x for x in scene.effects if x.effect.elastic}
         self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
         """Evaluates the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
-        owners = identifiers([_owner(x) for x in effects])
-        for owner, applied in zip(owners, effects, strict=True):
+        owners = identifiers([owner(x) for x in effects])
+        for prefix, applied in zip(owners, effects, strict=True):
             at = f" at {applied.on}" if applied.on else ""
-            with self.recorder.part(owner, heading=f"{applied.effect.name}{at}"):
+            with self.recorder.part(prefix, heading=f"{applied.effect.name}{at}"):
                 self._apply(applied.effect, applied)
         return self
 
@@ -184,38 +108,53 @@ class AppliedEffects:
         if effect.body_force:
             state = replace(self._body(applied.on), x=self.motion.states(applied.name))
             self._add(state, body_force(effect.body_force, state, applied.values))
-            self._note(applied, self.forces[state.link][-1].force)
+            if state.x:
+                self._note(applied, MovingStates(state.x, self.forces[state.link][-1].force))
         if effect.pair_force:
             pair = self._pair(effect.pair_force, applied)
             for state, force in zip(pair.states, pair.forces, strict=True):
                 self._add(state, force)
             self.pairs.append(pair)
-
+        if effect.bodies_force:
+            self._touch(effect.bodies_force, applied)
         if effect.body_inertia:
             link, inertia = inertia_in_link(applied, self.recorder, self.motion.tree)
             if not inertia.is_zero:
                 self.inertias.setdefault(link, []).append(inertia)
 
     def _act_along(self, law: Law, x: ActedCoordinate, applied: Applied) -> None:
-        at = CoordinateState(x.q, x.v, self.t + self.delays.get(x.link, 0),
+        effect = applied.effect
+        behind = self._geared.get(applied.on) if effect.drives and not applied.terms else None
+        q, v = self.motion.states(behind.name) if behind else (x.q, x.v)
+        delays = self._of_rotors if behind else self.delays
+        at = CoordinateState(q, v, self.t + delays.get(x.link, 0),
                              self._holding(x.link, applied), self.motion.states(applied.name))
-        along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
-        if x.link == SUM:
-            self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
+        along = JointEffect(law, at, x.values, self.recorder.current, x.freedom, over=self._over)
+        if behind:
+            self._rotor(x.link).motors.append(along)
+        elif x.link == SUM:
+            self.sums.append(Summed(x.weights, along))
         else:
             self.torques.setdefault(x.link, []).append(along)
-        if applied.effect.states:
-            self._note(applied, along.torque)
+        rotor = self._rotor(x.link) if effect.elastic else None
+        if rotor:
+            rotor.gears.append(along)
+        if at.x:
+            lagging = None if along.torque.lag is None else along
+            self._note(applied, MovingStates(at.x, along.torque, lagging, rotor))
 
-    def _note(self, applied: Applied, law: Torque | Force) -> None:
-        """Keeps the rates and the bounds of an effect's states."""
-        if applied.effect.states:
-            for name, of in (("rates", law.rates), ("kept", law.kept)):
-                if len(of) != len(applied.effect.states):
-                    raise TypeError(f"{applied.effect.name} has {len(applied.effect.states)} "
-                                    f"states; its law gives {len(of)} {name}")
-            self.rates += law.rates
-            self.kept += law.kept
+    def _rotor(self, link: int) -> Rotor:
+        return self.rotors.setdefault(link, Rotor())
+
+    def _note(self, applied: Applied, own: MovingStates) -> None:
+        """Keeps the states of an effect, with their rates and bounds."""
+        effect, law, count = applied.effect, own.law, len(own.x)
+        for name, of, wanted in (("rates", law.rates, 0 if own.rotor else count),
+                                 ("bounded", law.bounded, 0 if law.share is None else count),
+                                 ("switches", law.switches, effect.switches)):
+            if len(of) != wanted:
+                raise TypeError(f"{effect.name} has {wanted} {name}; its law gives {len(of)}")
+        self.states.append(own)
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""
@@ -277,6 +216,18 @@ class AppliedEffects:
                       JointEffect(law, CoordinateState(length, rate, self.t), applied.values,
                                   self.recorder.current))
 
+    def _touch(self, law: Callable[[TwoBodies, Values], Between], applied: Applied) -> None:
+        first, second = (self._body(name) for name in applied.bodies)
+        two = TwoBodies(first, second, self.motion.states(applied.name),
+                        lambda a, b: negative(first.line_to(a, second, b)))
+        between = law(two, settings(self.recorder, applied.values, self.t))
+        touch = Touch((first, second), between)
+        for state, force in zip(touch.states, touch.forces, strict=True):
+            self._add(state, force)
+        if two.x:
+            self._note(applied, MovingStates(two.x, between.law))
+        self.touches.append(touch)
+
     def _add(self, state: BodyOfLink, force: Force) -> None:
         self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
 
@@ -285,6 +236,8 @@ class AppliedEffects:
         result = copy(self)
         result.torques = {link: [x.with_later(y) for x, y in zip(
             effects, later.torques[link], strict=True)] for link, effects in self.torques.items()}
+        result.rotors = {link: x.with_later(later.rotors[link])
+                         for link, x in self.rotors.items()}
         result.sums = [replace(x, along=x.along.with_later(y.along))
                        for x, y in zip(self.sums, later.sums, strict=True)]
         return result
@@ -351,14 +304,16 @@ class AppliedEffects:
             speeds = self.motion.speeds(link)
             for x in self.torques[link]:
                 torque = x.torque
-                total = total + _own_power(torque, partial(mul, required(torque.torque),
+                total = total + own_power(torque, partial(mul, required(torque.torque),
                                                            speeds[x.freedom]))
-        for summed in self.sums:
-            at, torque = summed.along.at, summed.along.torque
-            total = total + _own_power(torque, partial(mul, required(torque.torque), at.v))
+        beside = [x.along for x in self.sums]
+        beside += [x for link in sorted(self.rotors) for x in self.rotors[link].motors]
+        for along in beside:
+            at, torque = along.at, along.torque
+            total = total + own_power(torque, partial(mul, required(torque.torque), at.v))
         for link in sorted(self.forces):
             for force in self.forces[link]:
-                total = total + _own_power(force.force, force.power)
+                total = total + own_power(force.force, force.power)
         for link, inertias in self.inertias.items() if self._stream else ():
             for inertia in inertias:
                 total = total + power_of_stream(self.motion, link, inertia,
@@ -370,12 +325,6 @@ class AppliedEffects:
         for value in values:
             total = total + value
         return total
-
-
-def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
-    if x.power is not None:
-        return x.power
-    return whole() if x.energy is None else 0
 
 
 def _rate(applied: Applied, t: Number) -> Vector:
@@ -394,37 +343,8 @@ def _rate(applied: Applied, t: Number) -> Vector:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this effect alone, in the same wind and on the same ground."""
-    around = (x for x in scene.effects
-              if (x.effect.wind or x.effect.ground) and x is not applied)
+    """The scene with this effect alone, in the same wind, on the same ground and at the same rotor.
+    """
+    around = (x for x in scene.effects if x is not applied and (
+        x.effect.wind or x.effect.ground or x.effect.elastic and x.on == applied.on))
     return replace(scene, effects=(applied, *around))
-
-
-def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
-    """The acceleration of gravity of the scene's effects, in the world's frame; None without."""
-    total = None
-    for applied in scene.effects:
-        if applied.effect.gravity:
-            values = settings(recorder, applied.values, recorder.number(0))
-            own = applied.effect.gravity(values)
-            total = own if total is None else add(total, own)
-    return total
-
-
-def _owner(applied: Applied) -> str:
-    """The prefix of the names of an effect's values: elbow_viscous, also for a joint called
-    elbow_joint."""
-    return f"{(applied.label or applied.on).removesuffix('_joint')}_{applied.effect.name}"
-
-
-def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
-    """The inertias that effects add to joints, by joint."""
-    total: dict[str, Number] = {}
-    for applied in scene.effects:
-        if applied.effect.joint_inertia:
-            values = settings(recorder, applied.values, recorder.number(0))
-            own = applied.effect.joint_inertia(values)
-            owner, = identifiers([_owner(applied)])
-            own, = recorder.label("I", own, owner)
-            total[applied.on] = total[applied.on] + own if applied.on in total else own
-    return total

@@ -33,6 +33,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     less,
     maximum,
     minimum,
+    tanh,
     where,
 )
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
@@ -58,11 +59,24 @@ class JointEffect:
     part: NamePart
     freedom: int = 0  # the number of the velocity among those of the joint
     later: "JointEffect | None" = None  # within the step, if its damping starts at once
+    over: Number | None = None  # the time for which a torque with a lag has followed its demand
 
     @cached_property
     def torque(self) -> Torque:
-        """The law's Torque, with the torque derived from the energy if it gives none, and limited.
-        """
+        """The law's Torque, with the torque derived from the energy if it gives none, and limited;
+        with a lag the torque that follows it."""
+        result, torque = self._stated, self.demanded
+        with self.at.q.recorder.resumed(self.part):
+            if result.lag is not None:
+                x, = self.at.x
+                result = replace(result, rates=((torque - x) / result.lag,))
+                torque = x if self.over is None else self.followed(self.over)
+            torque.recorder.label("tau", torque)
+            return replace(result, torque=torque)
+
+    @cached_property
+    def demanded(self) -> Number:
+        """The limited torque, without a lag."""
         result = self._stated
         torque = result.torque
         if result.limit is not None and result.energy is not None:
@@ -74,8 +88,18 @@ class JointEffect:
             if result.limit is not None and not torque.is_zero:
                 above, below = _limits(result, self.at.v)
                 torque = maximum(minimum(torque, above), -below)
-            torque.recorder.label("tau", torque)
-            return replace(result, torque=torque)
+            return torque
+
+    def followed(self, time: Number) -> Number:
+        """The torque with a lag after a time in which the demand is this one."""
+        x, = self.at.x
+        with self.at.q.recorder.resumed(self.part):
+            return x + self._share(time) * (self.demanded - x)
+
+    def _share(self, time: Number) -> Number:
+        """1 - exp(-time/lag), true also for small times: 2 s/(1 + s), s = tanh(time/(2 lag))."""
+        s = tanh(time / (required(self._stated.lag) * 2))
+        return 2 * s / (1 + s)
 
     @property
     def saturated(self) -> Number:
@@ -90,9 +114,13 @@ class JointEffect:
         d, k = self._stated.damping, self._stated.stiffness
         with self.at.q.recorder.resumed(self.part):
             d = self._replayed(self._own.damping) if d is None else d
+            k = self._replayed(self._own.stiffness) if k is None else k
+            if self._stated.lag is not None:
+                share = d.like(0) if self.over is None else self._share(self.over)
+                d, k = share * d, share * k
             if self.later:
                 d = maximum(d, self.later.slopes.damping)
-            return Slopes(d, self._replayed(self._own.stiffness) if k is None else k)
+            return Slopes(d, k)
 
     def with_later(self, later: "JointEffect") -> "JointEffect":
         """This one, with the larger damping of both if its damping starts at once, or leads to a

@@ -10,7 +10,7 @@ second link in the first, V = (v; ω) the links' twists and A the rates of their
 The closure φ grows with E v: in m, or the tangent of half an angle, twice, so that it is zero at no
 angle but zero.  Velocities of joints that carry both links have exact zeros in E."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
@@ -34,7 +34,6 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.dynamics.algorithms import rnea
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion, Twist
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.mechanism.loop import FRAME, HINGE, ROD, ClosedLoop, LoopEnd, across
 from coscrew_codegen.scene.mechanism.tree import Tree
 
@@ -113,6 +112,11 @@ class Closure:
             pure = units if kind is FRAME else self._axes[1:] if kind is HINGE else []
             return [*((*x, *cross(point, x)) for x in units), *((*zero, *x) for x in pure)]
 
+    @property
+    def exerted(self) -> list[Wrench]:
+        """The wrench on the first link, in its frame, of a multiplier of 1 of each row."""
+        return self.coscrews
+
     @cached_property
     def _axes(self) -> tuple[Vector, ...]:
         """A hinge's axis and two across it, in the first link's frame."""
@@ -166,9 +170,21 @@ class Closure:
         with self.part("V"):
             return first, self.motion.recorder.call("product_Ads", self.between, second)
 
-    def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
-        """A wrench on the first link and its opposite on the second, of the links that move."""
-        first, second = self.links
+    def total(self, coscrews: Sequence[Wrench], multipliers: Mapping[int, Number]) -> Wrench:
+        """Σ H̄ λ of these rows."""
+        total: Wrench = (*self.motion.zero, *self.motion.zero)
+        with self.part("f"):
+            for k, x in multipliers.items():
+                total = add(total, scaled(x, coscrews[k]))
+        return total
+
+    def holding(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ."""
+        return self.torques(self.total(self.coscrews, multipliers))
+
+    def on_links(self, multipliers: Mapping[int, Number]) -> Iterator[tuple[int, Wrench]]:
+        """The wrench on the first link and its opposite on the second, of the links that move."""
+        (first, second), wrench = self.links, self.total(self.coscrews, multipliers)
         with self.part("f"):
             if first >= 0:
                 yield first, wrench
@@ -186,12 +202,6 @@ class Closure:
     def part(self, symbol: str) -> AbstractContextManager[None]:
         """Names the instructions of a block after this value of the loop."""
         return self.motion.recorder.part(self.owner, symbol, f"loop {self.loop.name!r}")
-
-
-def closures(motion: Motion, loops: Sequence[ClosedLoop]) -> list[Closure]:
-    """The closures of these loops."""
-    owners = identifiers([f"{x.name}_loop" for x in loops])
-    return [Closure(x, motion, owner) for x, owner in zip(loops, owners, strict=True)]
 
 
 def _placed(motion: Motion, end: LoopEnd) -> tuple[int, Displacement]:

@@ -19,7 +19,8 @@ from functools import cached_property
 from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.loops.closures import Closure, Row, closures
+from coscrew_codegen.dynamics.loops.closures import Closure, Row
+from coscrew_codegen.dynamics.loops.couplings import closures
 from coscrew_codegen.program import Constant
 from coscrew_codegen.scene.mechanism.model import Model, value
 

@@ -132,7 +132,7 @@ class _FixedWriter:
             value = self._shifted(step, value, OF_ANGLES)
         if isinstance(value.operand, Ref) and value.operand.name.startswith(f"{step.name}_term_"):
             last = self.steps.pop()
-            self.steps.append(replace(last, name=step.name))
+            self.steps.append(last._replace(name=step.name))
             value = value._replace(operand=Ref(step.name))
         if not value.reach < inf:
             raise NoFormatError(f"{step.name} has no bounds")
@@ -152,7 +152,7 @@ class _FixedWriter:
         """An instruction towards `step`; the last gets its name."""
         self._number += 1
         given = tuple(of_integer(x) if isinstance(x, int) else x for x in operands)
-        self.steps.append(replace(step, name=f"{step.name}_term_{self._number}", op=op,
+        self.steps.append(step._replace(name=f"{step.name}_term_{self._number}", op=op,
                                   operands=given))
         return Ref(self.steps[-1].name)
 

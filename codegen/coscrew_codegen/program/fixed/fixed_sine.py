@@ -68,7 +68,7 @@ def _kernel() -> tuple[Program, Upward]:
     r_, z_ = r.operand, Ref("z")
     steps = [Instruction("z_1", Op.WIDE_PRODUCT, (r_, r_, of_integer(0)), "z"),
              Instruction("z", Op.ROUNDED_SHIFT, (Ref("z_1"), of_integer(31)), "z"),
-             *(replace(step, operands=tuple(z_ if x == z.operand else x for x in step.operands))
+             *(step._replace(operands=tuple(z_ if x == z.operand else x for x in step.operands))
                for step in made.program.instructions)]
     errors, results = [], []
     for name, x, approximation in zip("sc", made.results, APPROXIMATION, strict=True):

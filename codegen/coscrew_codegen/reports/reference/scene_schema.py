@@ -84,7 +84,7 @@ def _key(key: Key) -> Schema:
                                                   _array(3, _array(3, _NUMBER))]}
     kinds: dict[str, Schema] = {
         "text": {"type": "string"}, "words": _by_name({"type": "string"}), "texts": _TEXTS,
-        "number": _NUMBER,
+        "number": _NUMBER, "numbers": {"type": "array", "items": _NUMBER},
         "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
         "quaternion": _array(4, _NUMBER), "moments": moments,
         "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]})}
@@ -99,7 +99,7 @@ def _effects() -> Schema:
 def _one(effect: Effect) -> Schema:
     """The table of one joint, body or pair on which the effect acts."""
     more: Schema = {"body": {"type": "string"}} if effect.place is Place.BODY else {}
-    if effect.joint_torque:
+    if effect.on_sums:
         more = {"joints": _by_name(_NUMBER)}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]
@@ -119,8 +119,12 @@ def _effect(effect: Effect) -> Schema:
     one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one
-    if effect.place is Place.PAIR or effect.parts:
+    if effect.place is Place.PAIR:
         return _by_name(one)
+    if effect.parts:
+        own = {x.name: _with_words(_described(x), _parameter(x)) for x in effect.parameters}
+        return {"type": "object", "additionalProperties": one,
+                "properties": {"bodies": {"anyOf": [{"const": "all"}, _TEXTS]}, **own}}
     several = "joints" if effect.place is Place.JOINT else "bodies"
     values = {parameter.name: {"description": _described(parameter), "anyOf": [
         schema, _by_name(schema), one]}
@@ -140,7 +144,7 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number),
         "formula": {"anyOf": [number, _TRAJECTORY]},
-        "height": {"type": "string"},
+        "height": {"anyOf": [{"type": "string"}, _closed({"file": {"type": "string"}}, ["file"])]},
         "formulas": _VECTOR, "body": {"type": "string"},
         "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
         "matrix": _array(6, _array(6, _NUMBER))}

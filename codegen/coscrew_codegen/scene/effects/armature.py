@@ -1,4 +1,4 @@
-"""Armature: the inertia of a motor's rotor, reflected to its joint."""
+"""Armature: the inertia of a motor's rotor, reflected to its joint, or to a sum of coordinates."""
 
 from typing import TYPE_CHECKING
 
@@ -18,8 +18,9 @@ def _inertia(values: Values) -> "Number":
 
 
 EFFECT = Effect(
-    "armature", "inertia of a joint itself, such as a motor's rotor with a gear",
-    "M_jj = M_jj + inertia + gear^2 rotor", Place.JOINT,
+    "armature", "inertia of a joint itself, as of a motor's rotor with a gear, or of a sum w·q",
+    "M_jj = M_jj + inertia + gear^2 rotor; on a sum M = M + (inertia + gear^2 rotor) w w^T",
+    Place.JOINT,
     (ParameterOf("inertia", "kg m^2 or kg", "reflected to the joint", required=False,
                  nonnegative=True),
      ParameterOf("rotor", "kg m^2", "inertia of the rotor", required=False, nonnegative=True),

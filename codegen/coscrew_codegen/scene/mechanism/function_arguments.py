@@ -21,6 +21,9 @@ class AxisLength(Enum):
     LINEAR = "parameters on which torques depend linearly"
     BASE = "base parameters"
     ROWS = "rows of closed loops"
+    CONTACTS = "contacts of bodies"
+    EFFECT_STATES = "states of effects"
+    SWITCHES = "numbers that switch effects with states"
 
 
 @dataclass(frozen=True)

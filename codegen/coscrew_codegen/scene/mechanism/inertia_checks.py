@@ -115,8 +115,15 @@ def unmoved(scene: Scene) -> tuple[Unmoved, ...]:
 
 
 def _held(scene: Scene) -> frozenset[str]:
-    """The joints with an inertia of their own that is not zero."""
-    return frozenset(x.on for x in scene.effects if _inertia(x))
+    """The joints with an inertia of their own that is not zero; one on a sum of coordinates counts
+    for one joint of them, if possible for one without."""
+    acting = [x for x in scene.effects if _inertia(x)]
+    held = {x.on for x in acting if not x.terms}
+    without = alone(scene.model, tuple(followers(scene).items()))
+    for x in acting:
+        joints = [term.joint for term in x.terms if term.joint not in held]
+        held |= {*sorted(joints, key=lambda name: name not in without)[:1]}
+    return frozenset(held)
 
 
 def _inertia(applied: Applied) -> bool:
@@ -166,7 +173,7 @@ def _remedy(scene: Scene, unmoved_motions: Sequence[Unmoved], several: Common) -
     if any(x.joint.kind.nv > 1 for x in unmoved_motions) or several.joints and not several.cure:
         return "masses and moments in what they move"
     names = {*several.cure, *(x.joint.name for x in unmoved_motions)}
-    given = {x.on for x in scene.effects if x.effect.joint_inertia}
+    given = {x.on for x in scene.effects if x.effect.joint_inertia and not x.terms}
     zeros, others = ([x.name for x in scene.model.joints if x.name in names
                       and (x.name in given) == zero] for zero in (True, False))
     parts = [f"a positive inertia of {', '.join(map(repr, zeros))} in [effects.armature]"] \

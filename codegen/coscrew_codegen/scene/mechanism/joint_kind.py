@@ -208,6 +208,11 @@ class JointKind:
         return self.moves and (self.manifold is None or self.manifold.deviation is not None)
 
     @property
+    def by_angle(self) -> bool:
+        """True if it turns about a point: its rotation has an angle."""
+        return self.nv == 3 and self.manifold is not None and self.manifold.deviation is not None
+
+    @property
     def slides(self) -> bool:
         """True if it has one coordinate, which is a length."""
         return self.one_coordinate and not self.parts[0].turns

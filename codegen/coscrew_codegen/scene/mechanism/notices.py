@@ -6,8 +6,10 @@ from dataclasses import dataclass
 
 FALLING = "weight"
 IDLE = "torque or force"
+COLLISION = "collision shape"
 SUBJECTS = (
-    FALLING, IDLE, "gravity", "actuator", "wrench", "other tools' joints", "spring", "armature",
+    FALLING, IDLE, COLLISION, "gravity", "actuator", "wrench", "other tools' joints", "spring",
+    "armature",
     "mimic", "wrong mimic", "friction", "wrong friction", "damping", "wrong damping",
     "other tools' numbers", "limits", "wrong limits", "effort", "wrong effort", "velocity",
     "wrong velocity", "acceleration", "deceleration", "jerk", "safety controller",

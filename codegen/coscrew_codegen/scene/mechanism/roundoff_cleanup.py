@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop
 from coscrew_codegen.scene.mechanism.model import Body, Inertia, Joint, Model, Placement, value
-from coscrew_codegen.scene.mechanism.rotations import snapped
+from coscrew_codegen.scene.mechanism.rotations import snapped, unit
 
 LENGTH = Fraction(1, 10**18)
 """Coordinates of origins and centres of mass, in m, up to which they count as zero.  Files contain
@@ -20,7 +21,8 @@ to this times xx as equal: residues of rotating equal moments in double precisio
 def without_residues(model: Model) -> Model:
     """The model with zero in place of its residues."""
     return replace(model, bodies=tuple(map(_body, model.bodies)),
-                   joints=tuple(map(_joint, model.joints)))
+                   joints=tuple(map(_joint, model.joints)),
+                   loops=tuple(map(_loop, model.loops)))
 
 
 def without_residue(placement: Placement) -> Placement:
@@ -37,6 +39,13 @@ def length(x: Fraction) -> Fraction:
 def _joint(joint: Joint) -> Joint:
     at = joint.placement
     return replace(joint, placement=replace(at, t=tuple(map(length, at.t))))
+
+
+def _loop(loop: ClosedLoop) -> ClosedLoop:
+    first, second = (replace(x, point=tuple(map(length, x.point)), R=snapped(x.R),
+                             axis=unit(x.axis))
+                     for x in (loop.first, loop.second))
+    return replace(loop, first=first, second=second)
 
 
 def _body(body: Body) -> Body:

@@ -4,7 +4,7 @@ Lengths in m; numbers are floats, since nothing but a picture is made of them.""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, sin, sqrt
+from math import sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -49,13 +49,6 @@ def sized(shape: str, size: Sequence[float], place: tuple[float, ...], colour: t
         return unseen(f"a {shape} of the sizes {', '.join(f'{x:g}' for x in size)}; wanted "
                       "positive ones")
     return Visual(shape, tuple(size), place, colour)
-
-
-def from_rpy(roll: float, pitch: float, yaw: float) -> tuple[float, ...]:
-    """The quaternion x, y, z, w of Rz(yaw) Ry(pitch) Rx(roll)."""
-    (cr, sr), (cp, sp), (cy, sy) = ((cos(x / 2), sin(x / 2)) for x in (roll, pitch, yaw))
-    return (sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy, cr * cp * cy + sr * sp * sy)
 
 
 def from_rotation(R: Sequence[float]) -> tuple[float, ...]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
 from coscrew_codegen.scene.mechanism.collision import Collision
-from coscrew_codegen.scene.mechanism.loop import ClosedLoop
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop, Law
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
@@ -76,7 +76,16 @@ def _loop(loop: ClosedLoop, to: str, at: Placement, prefix: str) -> ClosedLoop:
                 R=composed(at, Placement(x.R, x.point)).R,
                 axis=composed(Placement(at.R, HERE.t), Placement(HERE.R, x.axis)).t)
         for x in (loop.first, loop.second))
-    return replace(loop, name=f"{prefix}{loop.name}", first=first, second=second)
+    return replace(loop, name=f"{prefix}{loop.name}", first=first, second=second,
+                   law=loop.law and _law(loop.law, prefix))
+
+
+def _law(law: Law, prefix: str) -> Law:
+    """The law by the new names of its joints and bodies."""
+    joints, leaders = (tuple(replace(x, joint=f"{prefix}{x.joint}") for x in of)
+                       for of in (law.joints, law.leaders))
+    return replace(law, joints=joints, leaders=leaders,
+                   bodies=tuple(f"{prefix}{x}" for x in law.bodies))
 
 
 def _renamed(parts: Parts, old: Parts, source: ModelSource, prefix: str) -> Parts:

@@ -13,7 +13,8 @@ _WHERE = {
     Place.JOINT: "[effects.{0}] joints = …, or [effects.{0}.JOINT]",
     Place.BODY: "[effects.{0}] bodies = …, [effects.{0}.BODY], or [effects.{0}.LABEL] body = …",
     Place.PAIR: "[effects.{0}.LABEL] bodies = [A, B]"}
-_ON_PARTS = "[effects.{0}.BODY], or [effects.{0}.LABEL] bodies = [A, B, …]"
+_ON_PARTS = ("[effects.{0}.BODY], [effects.{0}.LABEL] bodies = [A, B, …], or [effects.{0}] for all "
+             "bodies with shapes in the model's file")
 _ON_SUMS = "[effects.{0}] joints = …, [effects.{0}.JOINT], or [effects.{0}.LABEL] joints = {{ … }}"
 
 
@@ -33,7 +34,7 @@ def described(effect: Effect) -> Iterator[str]:
 
 def where(effect: Effect) -> str:
     """The headings of its tables in scene files."""
-    pattern = _ON_SUMS if effect.joint_torque else _ON_PARTS if effect.parts else \
+    pattern = _ON_SUMS if effect.on_sums else _ON_PARTS if effect.parts else \
         _WHERE[effect.place]
     return pattern.format(effect.name)
 
@@ -52,7 +53,7 @@ def _line(parameter: ParameterOf) -> str:
 
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
-    kinds = {"height": "a function of x and y", "vector": "three numbers",
+    kinds = {"height": "a function of x and y, or a grid of heights", "vector": "three numbers",
              "formula": "a number, a function of t or a "
              "trajectory",
              "formulas": "three numbers or functions of t", "flag": "true or false",

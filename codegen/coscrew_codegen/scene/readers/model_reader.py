@@ -81,11 +81,12 @@ class Parts:
         that can exist."""
         tree = self.tree(source)
         with self._placing_errors(source):
-            clean = without_residues(without_chains(with_faults(tree, self.mimics_by_file(source))))
+            led = without_chains(with_faults(tree, self.mimics_by_file(source)))
+            clean = without_residues(replace(led, loops=self.loops))
             all_notices = (*notices(self.effects, clean), *notices(self.offered, clean),
                            *self.notices)
             return judged(replace(clean, implausible=self.implausible, notices=all_notices,
-                                  collisions=self.collisions, loops=self.loops), source.implausible)
+                                  collisions=self.collisions), source.implausible)
 
     def mimics_by_file(self, source: ModelSource) -> dict[str, str]:
         """The places of followers, with the file's name: "arm.urdf, line 7"."""

@@ -2,42 +2,113 @@
 depend on the whole scene."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
 from typing import cast
 
-from coscrew_codegen.scene.effect import Resting, required
+from coscrew_codegen.scene.contacts.touching_parts import SHAPE_KEYS, SHAPES, touches
+from coscrew_codegen.scene.effect import MOST_AT_REST, Resting, required
+from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.model import WORLD, Model, value
-from coscrew_codegen.scene.readers.toml.effect_table import EffectTable
+from coscrew_codegen.scene.mechanism.notices import COLLISION, Notice
+from coscrew_codegen.scene.names import toml_key
+from coscrew_codegen.scene.patterns import PatternError, expanded
+from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, EffectTable
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 from coscrew_codegen.scene.scene import Applied, Setting
 
 
 def on_parts(reading: EffectTable) -> list[Applied]:
-    """[effects.contact.LABEL] bodies = [a, b], … or, of one body, under its name.
+    """[effects.contact.LABEL] bodies = [a, b], … or, of one body, under its name; [effects.contact]
+    with numbers, for all bodies that have shapes in the model's file and no table of their own.
 
     The label, the body's name if there are several, and a part's number make the effect's name."""
     table, results = reading.table, list[Applied]()
+    plain = {key: x for key, x in table.values.items() if not isinstance(x, dict)}
+    labels = [key for key in table.values if key not in plain]
     if not table.values:
-        table.refuse("", f"is empty; wanted tables [{table.where}.LABEL]")
-    for label, given in table.values.items():
-        if not isinstance(given, dict):
-            table.refuse(label, f"{described(given)}; wanted a table under a label, "
-                                f"[{table.where}.LABEL], with bodies = [a, b]")
+        table.refuse("", f"is empty; wanted tables [{table.where}.LABEL], or numbers for all "
+                         "bodies that have collision shapes in the model's file")
+    for label in labels:
         own = table.table(label)
         own.only("bodies", *reading.parameters)
         names = _bodies(reading, own, label)
-        settings = {key: x for key, x in own.values.items() if key != "bodies"}
         for name in names:
-            values = reading.values(own, settings, name)
-            parts = cast("Sequence[dict[str, Setting]]", required(reading.effect.parts)(values))
-            for number, part in enumerate(parts):
-                words = [label, *([name] if len(names) > 1 else []),
-                         *([str(number)] if len(parts) > 1 else [])]
-                results.append(Applied(reading.effect, name, part, ".".join(words)))
+            words = (label, *([name] if len(names) > 1 else []))
+            results += _on_body(reading, own, own.values, name, words)
+    if plain:
+        table.only("bodies", *reading.parameters, *labels)
+        for name in _all_bodies(reading, {x.on for x in results}):
+            results += _on_body(reading, table, plain, name, (name,))
+    for name, times in Counter(x.name for x in results).items():
+        if times > 1:
+            table.refuse("", f"two contacts are called {name}; wanted other labels")
+    _note_unused(reading, {x.on for x in results})
     return results
+
+
+def _on_body(reading: EffectTable, table: TomlTable, given: Mapping[str, object], body: str,
+             words: tuple[str, ...]) -> Iterator[Applied]:
+    """The effect on each part of a body."""
+    settings = {key: x for key, x in given.items() if key != "bodies"}
+    values = reading.values(table, settings, body)
+    shapes = () if any(key in given for key in SHAPE_KEYS) else _shapes(reading.model, body)
+    usable = [x for x in shapes if touches(x)]
+    if shapes and not usable:
+        table.refuse("bodies" if "bodies" in given else "",
+                     f"{_listed(shapes)} of body {body!r} in the model's file cannot touch; wanted "
+                     f"a shape, as shape = \"sphere\" with radius, in a table of {body!r}")
+    of_shape, of_values = required(reading.effect.parts_of), required(reading.effect.parts)
+    parts = [y for x in usable for y in of_shape(values, x)] if usable else of_values(values)
+    for number, part in enumerate(cast("Sequence[dict[str, Setting]]", parts)):
+        label = ".".join((*words, *([str(number)] if len(parts) > 1 else [])))
+        yield Applied(reading.effect, body, part, label)
+
+
+def _shapes(model: Model, body: str) -> list[Collision]:
+    """The shapes of a body in the model's file."""
+    return [x for x in model.collisions if x.body == body]
+
+
+def _listed(shapes: Sequence[Collision]) -> str:
+    """Shapes by number and kind: the mesh, 2 meshes."""
+    (one, count), *others = Counter(x.shape for x in shapes).items()
+    if count == 1 and not others:
+        return f"the {one}"
+    return f"{len(shapes)} shapes ({', '.join((one, *(x for x, _ in others)))})"
+
+
+def _all_bodies(reading: EffectTable, elsewhere: set[str]) -> tuple[str, ...]:
+    """The bodies of [effects.contact] itself: those it lists, or all that move and have shapes that
+    can touch, and no table of their own."""
+    table, links = reading.table, reading.links
+    if isinstance(table.values.get("bodies", ALL), list):
+        return _listed_bodies(reading, table)
+    if table.values.get("bodies", ALL) != ALL:
+        table.refuse("bodies", f'{described(table.values["bodies"])}; wanted "{ALL}" or a list of '
+                               "names")
+    shaped = {x.body for x in reading.model.collisions if touches(x)}
+    names = tuple(x for x in reading.targets if x in shaped - elsewhere and links[x] != WORLD)
+    if not names:
+        table.refuse("", f"no body that moves has collision shapes ({', '.join(SHAPES)}) in the "
+                         f"model's file{' and no table of its own' if elsewhere else ''}; wanted "
+                         f"tables [{table.where}.LABEL] with bodies and a shape")
+    return names
+
+
+def _note_unused(reading: EffectTable, bodies: set[str]) -> None:
+    """Note the shapes of the model's file that cannot touch, though others of their bodies do."""
+    shapes = [x for x in reading.model.collisions if x.body in bodies and not touches(x)]
+    taken = [x for x in shapes if any(touches(y) for y in _shapes(reading.model, x.body))]
+    if taken:
+        names = [*dict.fromkeys(x.body for x in taken)]
+        more = ", …" * (len(names) > MANY)
+        reading.use.notices.append(Notice(
+            COLLISION, f"effect {reading.effect.name}", f"{_listed(taken)} of "
+            f"{', '.join(names[:MANY])}{more} cannot touch, other shapes there do; write "
+            f"[{reading.table.where}.{toml_key(names[0])}] with a shape for more"))
 
 
 def _bodies(reading: EffectTable, own: TomlTable, label: str) -> tuple[str, ...]:
@@ -46,7 +117,15 @@ def _bodies(reading: EffectTable, own: TomlTable, label: str) -> tuple[str, ...]
         if label not in reading.targets:
             own.missing("bodies", f"a list of bodies, or the name of one in place of {label!r}")
         return (reading.target(own, "bodies", label),)
+    return _listed_bodies(reading, own)
+
+
+def _listed_bodies(reading: EffectTable, own: TomlTable) -> tuple[str, ...]:
     given = own.as_texts("bodies", own.values["bodies"])
+    try:
+        given = expanded(given, reading.all_targets({}), tuple(reading.targets))
+    except PatternError as error:
+        own.refuse("bodies", str(error))
     names = tuple(reading.target(own, "bodies", name) for name in given)
     if not names or len({*names}) < len(names):
         own.refuse("bodies", "wanted names of bodies, each once")
@@ -60,15 +139,17 @@ def completed(effects: TomlTable, model: Model, applied: list[Applied]) -> list[
     results = []
     for x in applied:
         if x.effect.completed:
-            root = roots.get(x.on)
-            weight = g * _mass(model, roots, root) if root else Fraction(0)
-            resting = Resting(weight / counts[x.effect.name, root], g)
+            trees = {roots.get(body, WORLD) for body in x.bodies or (x.on,)} - {WORLD}
+            weight = g * min((_mass(model, roots, root) for root in trees), default=Fraction(0))
+            count = 1 if x.bodies else counts[x.effect.name, roots.get(x.on)]
+            resting = Resting(weight / min(count, MOST_AT_REST), g)
             try:
                 values = x.effect.completed(x.values, resting)
             except ValueError as error:
                 table = effects.table(x.effect.name)
-                labels = (key for key in table.values if x.label.startswith(key))
-                table.refuse(next(labels) if x.label else "", str(error))
+                label = max((key for key, of in table.values.items() if isinstance(of, dict)
+                             and f"{x.label or x.on}.".startswith(f"{key}.")), key=len, default="")
+                table.refuse(label, str(error))
             x = replace(x, values=cast("dict[str, Setting]", values))
         results.append(x)
     return results

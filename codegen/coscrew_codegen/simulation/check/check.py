@@ -16,6 +16,7 @@ from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check import check_rounding, step_advice
+from coscrew_codegen.simulation.check.contact_check import contacts_of
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.energy_balance import Balance, balance
 from coscrew_codegen.simulation.check.findings import SECOND_RUN, THIRD_RUN, AlongRun, Findings, Met
@@ -114,7 +115,8 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> AlongRun:
         *_matrices(system, trajectory), INTEGRATOR_NAMED[planned.integrator],
         0.0 if planned.adaptive else planned.step, step_advice.error(system, trajectory, true),
         true.until, true.end, true.step, step_advice.resting(system, true),
-        loops=closures(system, trajectory, coarse.scale))
+        loops=closures(system, trajectory, coarse.scale),
+        contacts=contacts_of(system, trajectory, 0.0 if planned.adaptive else planned.step))
     if trajectory.stopped:
         return along
     if not planned.adaptive and not (along.shrinks and along.balanced):

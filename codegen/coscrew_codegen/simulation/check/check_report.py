@@ -11,6 +11,8 @@ from coscrew_codegen.simulation.loops.closure_check import WORK, Closures
 from coscrew_codegen.simulation.result_units import in_unit
 from coscrew_codegen.simulation.run_summary import gaps
 
+_WIDE = 1000  # ratio of bounds to errors from which their number says nothing
+
 
 def table(findings: Findings, strict: bool = False) -> str:
     """The findings as text; with `strict` also the faults that fail only the strict limits."""
@@ -58,7 +60,7 @@ def _checks(along: tuple[AlongRun, ...]) -> str:
             *([("largest error of the momentum of floating bases, relative",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
-            *_closures(along),
+            *_closures(along), *_contacts(along),
             ("forward after inverse dynamics: largest error, in u",
              *(f"{x.round_trip:.3g}" for x in along)),
             ("largest condition number of the mass matrix, SI units",
@@ -80,6 +82,20 @@ def _closures(along: tuple[AlongRun, ...]) -> list[tuple[str, ...]]:
             ("work of closures, relative to the energies moved", *(f"{x.work:.2g}" for x in loops)),
             ("nearest to a singular position: smallest over largest pivot",
              *(f"{x.ratio:.2g}, at t = {x.singular_at:g} s" for x in loops))]
+
+
+def _contacts(along: tuple[AlongRun, ...]) -> list[tuple[str, ...]]:
+    """Rows on contacts of bodies."""
+    contacts = [x.contacts for x in along if x.contacts]
+    if not contacts:
+        return []
+    return [("deepest contact, over the depth at rest",
+             *(f"{x.depth:.2g}, at t = {x.at:g} s" for x in contacts)),
+            ("share of closed contacts in all, and of slipping ones in these",
+             *(f"{x.closed:.2g}, {x.slipping:.2g}" for x in contacts)),
+            ("bounces that the parts of steps resolve",
+             *("all" if math.isnan(x.unresolved) else f"not at t = {x.unresolved:g} s"
+               for x in contacts))]
 
 
 def _open(loops: Closures) -> str:
@@ -109,7 +125,10 @@ def _bounds(certified: Certified | None) -> str:
     if not certified.stated:
         return f"0 of {certified.of} stated"
     stated = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
-    return f"{stated or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
+    if certified.ratio is None:
+        return f"{stated or 'all '}hold, results are exact"
+    ratio = f"over {_WIDE}" if certified.ratio > _WIDE else f"{certified.ratio:#.3g}"
+    return f"{stated or 'all '}hold, {ratio} times the error (median)"
 
 
 def _broken(rounded: RoundedResults) -> str:

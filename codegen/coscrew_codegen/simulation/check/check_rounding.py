@@ -26,6 +26,7 @@ JUDGED = tuple(x.name for x in FUNCTIONS if x.judged)
 """Functions whose rounding errors are checked."""
 DIGITS = 50
 STATES = 8  # of a run
+_UNSEEN = 1e-20  # of a bound: errors below it are those of the DIGITS, where a result is exact
 MOST = 1500
 """Instructions of a plain function up to which its certified one is compiled, if the scene does not
 select that tier: larger ones take many seconds."""
@@ -51,7 +52,7 @@ class Certified:
 
     stated: int  # how many results have a finite bound
     of: int
-    ratio: float  # the median of bound / error, where there is an error
+    ratio: float | None  # the median of bound / error; None if all results are exact
     broken: Broken | None  # the one that exceeds its bound most
 
 
@@ -159,12 +160,12 @@ def _held(system: System, certified: Kernels, name: str, values: Values, truth: 
         bound = mpfr(float(bounds[row, place]))
         with precise(DIGITS):
             error = abs(mpfr(float(results[row, place])) - truth[row][place])
-            if error:
+            if error > _UNSEEN * bound:
                 ratios.append(float(bound / error))
             if error > exceeded * bound:
                 exceeded = error / bound if bound else mpfr("inf")
                 worst = Broken(int(place), float(values["t"][row]), float(error), float(bound))
-    ratio = float(np.median(ratios)) if ratios else 1.0
+    ratio = float(np.median(ratios)) if ratios else None
     return Certified(len(places), count * len(of), ratio, worst)
 
 

@@ -7,6 +7,7 @@ from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check.check_rounding import RoundedResults
+from coscrew_codegen.simulation.check.contact_check import ContactsOfRun
 from coscrew_codegen.simulation.check.energy_balance import Balance
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulation.check.step_advice import Error
@@ -60,6 +61,7 @@ class AlongRun:
     double: "AlongRun | None" = None  # in single precision: the results in double
     remedy: str = ""  # settings that were tried and make a false run right
     loops: Closures | None = None  # of scenes with closed loops
+    contacts: ContactsOfRun | None = None  # of scenes in which bodies touch
 
     @property
     def as_double(self) -> bool:

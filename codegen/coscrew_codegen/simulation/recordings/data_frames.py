@@ -2,7 +2,7 @@
 notebooks."""
 
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from html import escape
 from pathlib import Path
@@ -69,22 +69,17 @@ def to_pandas(recording: Recording) -> "pandas.DataFrame":
     return table
 
 
-def html(title: str, recording: Recording, failed: Sequence[Stop],
-         targets: Mapping[str, np.ndarray]) -> str:
-    """A heading, a plot (of a batch, its first members) with targets, and the provenance."""
+def html(title: str, batch: Recording, failed: Sequence[Stop]) -> str:
+    """A heading, a plot of a batch's first members, and the provenance."""
     from coscrew_codegen.simulation.recordings.recording_plot import plot  # imports Matplotlib
 
-    batch = recording.values.ndim > 2
-    drawn = [replace(recording, values=x) for x in recording.values[:_MOST_DRAWN]] \
-        if batch else [recording]
+    drawn = [replace(batch, values=x) for x in batch.values[:_MOST_DRAWN]]
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder) / "run.svg"
-        plot(drawn, picture, members=batch, targets=targets)
+        plot(drawn, picture, members=True)
         text = picture.read_text(encoding="utf-8")
-    shown = f", the first {_MOST_DRAWN} drawn" if batch and len(recording.values) > len(drawn) \
-        else ""
-    entries = [*recording.provenance, *((f"member {x.member}" if batch else "stop", x.cause)
-                                        for x in failed)]
+    shown = f", the first {_MOST_DRAWN} drawn" if len(batch.values) > len(drawn) else ""
+    entries = [*batch.provenance, *((f"member {x.member}", x.cause) for x in failed)]
     rows = "".join(f"<tr><th>{escape(what)}</th><td>{escape(value)}</td></tr>"
                    for what, value in entries)
     return (f"<p>{escape(title)}{shown}</p>{text[text.index('<svg'):]}"

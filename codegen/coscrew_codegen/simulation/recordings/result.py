@@ -14,7 +14,6 @@ from coscrew_codegen.simulation.checkpoint import Checkpoint, end_of
 from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulation.recordings import recording_writer
 from coscrew_codegen.simulation.recordings.recording import Provenance, Recording
-from coscrew_codegen.simulation.recordings.targets import targets
 from coscrew_codegen.simulation.system import System
 
 if TYPE_CHECKING:
@@ -108,10 +107,13 @@ class Result:
         return to_pandas(self.recording)
 
     def _repr_html_(self) -> str:
-        """A plot with the provenance, for notebooks; `show` gives the playback, which is larger."""
+        """The page that plays the run back, for notebooks; of a batch, a plot with the provenance.
+        """
+        if self.q.ndim < 3:
+            return self.show()._repr_html_()
         from coscrew_codegen.simulation.recordings.data_frames import html
 
-        return html(repr(self), self.recording, self.failed, targets(self.system, self.recording))
+        return html(repr(self), self.recording, self.failed)
 
     def view(self, path: Path | str, *besides: "Result") -> None:
         """Writes a file that plays the run back in 3D, with others of the same model as ghosts: a
@@ -123,8 +125,8 @@ class Result:
         view(_single(path, self, *besides), [Path(path)])
 
     def show(self, *besides: "Result") -> FramedPage:
-        """Returns the page that plays the run back in 3D, with others of the same model as ghosts,
-        for notebooks, which show it.  Raises SimulateError."""
+        """Returns the page that plays the run back in 3D, as notebooks show it, with others of the
+        same model as ghosts.  Raises SimulateError."""
         from coscrew_codegen.simulation.view.page_text import page
 
         return FramedPage(page(_single("show", self, *besides)))

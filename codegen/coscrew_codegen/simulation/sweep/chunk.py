@@ -136,6 +136,7 @@ def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[
         varied[x.array][:, x.index] = column
     for n in sorted({x.index // 3 for x in its.varied.columns if x.array == "u"}):
         arrays["q"][:, plain.quaternions[n]] = quaternions(u[:, n])
+    arrays["q"] = plain.with_rotors(arrays["q"], arrays["v"])
     return arrays
 
 

@@ -1,20 +1,22 @@
 """Parts of a picture: the visuals of the bodies, or boxes of their mass and inertia.
 
 A body without visuals that can be shown is a box, unless the model has visuals and the body hardly
-any mass: such bodies are frames in most files."""
+any mass: such bodies are frames in most files.  Beside a box, or in its place where they hold the
+centre of mass, are the shapes with which the body touches the ground."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass, field
 
 import numpy as np
 
 import coscrew
-from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.mechanism.visual import HERE, MESH, Visual
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.collada_axes import has_y_up, means_it, upright
+from coscrew_codegen.simulation.view.contact_shapes import Shape, touching
 from coscrew_codegen.simulation.view.mesh_files import Piece, Pieces, identity, installed, meshes
+from coscrew_codegen.simulation.view.part_places import along, number_of, numbers_of
 
 _THIN = 0.06  # least side of a box, relative to its longest or, for a point mass, the model's size
 _HARDLY = 0.02  # of the model's mass
@@ -55,14 +57,19 @@ def drawn(system: System) -> RobotDrawing:
     numbers = {body.name: n for n, body in enumerate(model.bodies)}
     shown = set(_add_visuals(drawing, model.bodies, numbers))
     any_visual = any(body.visuals for body in model.bodies)
+    shown |= {*_add_contacts(system, drawing, shown, numbers)}
     inertias = {x.name: x.inertia for x in model.bodies if x.inertia}
-    least = _HARDLY * sum(_number(system, x.mass) for x in inertias.values()) if any_visual else 0
+    least = _HARDLY * sum(number_of(system, x.mass) for x in inertias.values()) if any_visual else 0
     for name, inertia in inertias.items():
-        if name not in shown and _number(system, inertia.mass) >= least:
+        if name not in shown and number_of(system, inertia.mass) >= least:
             _add_box(system, drawing, inertia, numbers[name], linked=not any_visual)
     if not any_visual:
         for joint in model.joints:
             _add_linkage(system, drawing, joint, {WORLD: -1, **numbers})
+        for end in (x for loop in model.loops for x in (loop.first, loop.second)):
+            if end.body != WORLD:
+                point = np.array([*map(float, end.point)])
+                _add_rod(drawing, numbers[end.body], point, _ROD * _size(system))
     return drawing
 
 
@@ -95,6 +102,39 @@ def _add_visuals(drawing: RobotDrawing, bodies: tuple[Body, ...], numbers: dict[
             yield body
 
 
+def _add_contacts(system: System, drawing: RobotDrawing, shown: Set[str], numbers: dict[str, int]
+                  ) -> Iterator[str]:
+    """Add the shapes of contacts: hidden ones of bodies that are shown; yields the names of others
+    whose shape holds their centre of mass."""
+    inertias = {x.name: x.inertia for x in system.scene.model.bodies}
+    point = 2 * _ROD * _size(system)
+    for name, shape in touching(system, point):
+        kind, size, place = shape
+        part = DrawnPart(numbers[name], kind, size, place, _colour(numbers[name]))
+        inertia = inertias[name]
+        if name in shown:
+            drawing.touching.append(part)
+            continue
+        drawing.parts.append(part)
+        if inertia and size != (point,) and _holds(shape, numbers_of(system, inertia.com)):
+            yield name
+
+
+def _holds(shape: Shape, point: np.ndarray) -> bool:
+    """Returns whether a point lies in the shape."""
+    kind, size, place = shape
+    local = coscrew.double.mat3x3_from_quaternion(np.array(place[3:])).T @ (point - place[:3])
+    if kind == "box":
+        return bool((np.abs(local) <= np.array(size) / 2).all())
+    if kind == "sphere":
+        return float(np.linalg.norm(local)) <= size[0]
+    return float(np.hypot(*local[:2])) <= size[0] and abs(local[2]) <= size[1] / 2
+
+
+def _colour(body: int) -> tuple[float, ...]:
+    return (*_COLOURS[body % len(_COLOURS)], 1.0)
+
+
 def readable(visual: Visual) -> bool:
     """Returns whether a visual has a mesh that the packages that are here can read."""
     return visual.mesh is not None and (installed() or not hasattr(visual.mesh, "suffix"))
@@ -118,10 +158,8 @@ def _add_rod(drawing: RobotDrawing, body: int, to: np.ndarray, radius: float) ->
     length = float(np.linalg.norm(to))
     if length < 3 * radius:
         return
-    x, y, z = to / length  # the turn of z to this direction
-    turn = np.array([-y, x, 0.0, 1 + z]) if z > -1 + 1e-9 else np.array([1.0, 0, 0, 0])
-    drawing.parts.append(DrawnPart(body, "cylinder", (radius, length), (
-        *(to / 2).tolist(), *(turn / np.linalg.norm(turn)).tolist()), _LINKAGE))
+    drawing.parts.append(DrawnPart(body, "cylinder", (radius, length), along(to / 2, to),
+                                   _LINKAGE))
 
 
 def _add_box(system: System, drawing: RobotDrawing, inertia: Inertia, body: int, linked: bool
@@ -131,8 +169,7 @@ def _add_box(system: System, drawing: RobotDrawing, inertia: Inertia, body: int,
     half = np.maximum(half, _THIN * (max(half) if max(half) > 0 else _size(system)))
     centre = numbers_of(system, inertia.com)
     place = (*centre.tolist(), *coscrew.double.quaternion_from_mat3x3(axes).tolist())
-    colour = (*_COLOURS[body % len(_COLOURS)], 1.0)
-    drawing.parts.append(DrawnPart(body, "box", tuple((2 * half).tolist()), place, colour))
+    drawing.parts.append(DrawnPart(body, "box", tuple((2 * half).tolist()), place, _colour(body)))
     if linked:
         _add_rod(drawing, body, centre, _ROD / 2 * _size(system))
 
@@ -159,11 +196,3 @@ def _size(system: System) -> float:
                for b in model.bodies if b.inertia]
     return float(max((*offsets, *centres), default=0)) or 0.1
 
-
-def numbers_of(system: System, values: tuple[Scalar, ...]) -> np.ndarray:
-    """The numbers, with the system's parameters."""
-    return np.array([_number(system, x) for x in values])
-
-
-def _number(system: System, value: Scalar) -> float:
-    return system.p[value.index] if isinstance(value, Parameter) else float(value)

@@ -14,8 +14,8 @@ from coscrew_codegen.simulation.recordings.recording_reader import columns_of
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view import page_signals
-from coscrew_codegen.simulation.view.body_shapes import numbers_of
 from coscrew_codegen.simulation.view.page_signals import Columns
+from coscrew_codegen.simulation.view.part_places import numbers_of
 
 _FRAMES_A_SECOND = 60
 _MOST_NUMBERS = 2_000_000  # numbers in all poses: 8 MB, enough for a minute of thirty bodies

@@ -7,15 +7,17 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from coscrew_codegen.backends.html.pages import Json
-from coscrew_codegen.scene.effect import FIRST, SECOND, Place
+from coscrew_codegen.scene.effect import FIRST, SECOND
 from coscrew_codegen.scene.mechanism.loop import ROD
+from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.recorded_quantities import Recorded, recorded
 from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.recordings.recording import Column
 from coscrew_codegen.simulation.system import System
-from coscrew_codegen.simulation.view.body_shapes import numbers_of
+from coscrew_codegen.simulation.view.contact_shapes import contacts, radius_of
 from coscrew_codegen.simulation.view.page_block import NumberBlock
+from coscrew_codegen.simulation.view.part_places import numbers_of
 
 Columns = Mapping[str, np.ndarray]
 """Values by the names of columns, at the times of a run's poses."""
@@ -24,7 +26,7 @@ _FIRST = ("q", "energy", "v", "power", "a")  # groups, in the order in which the
 _ENERGY = "energy"
 _SHOWN = ("q", _ENERGY)  # of each of these the first group is plotted from the start
 _NARROW = 0.1  # range, of the values
-_FORCE, _REACTION = "#e5484d", "#f76b15"
+_FORCE, _CONTACT, _REACTION, _CLOSING = "#e5484d", "#12a594", "#f76b15", "#8e4ec6"
 
 
 @dataclass
@@ -113,17 +115,24 @@ def _values(values: np.ndarray, block: NumberBlock) -> dict[str, Json]:
 
 def arrows(system: System, columns: Columns) -> Iterator[Json]:
     """The arrows of the reactions and forces whose three components are recorded."""
-    bodies = {body.name: n for n, body in enumerate(system.scene.model.bodies)}
+    bodies = {WORLD: -1, **{body.name: n for n, body in enumerate(system.scene.model.bodies)}}
     for joint in system.scene.model.joints:
         names = [f"reaction.{joint.name}.{i}" for i in range(3)]
         if all(x in columns for x in names):
             yield {"body": bodies[joint.child], "point": [0.0] * 3, "signals": names,
-                   "turns": True, "colour": _REACTION, "name": f"reaction of {joint.name}"}
+                   "turns": True, "colour": _REACTION}
+    for loop in system.scene.model.loops:
+        names = [f"closing.{loop.name}.{i}" for i in range(3)]
+        if all(x in columns for x in names):
+            yield {"body": bodies[loop.first.body], "point": [*map(float, loop.first.point)],
+                   "signals": names, "turns": True, "colour": _CLOSING}
+    touches = {x.name: radius_of(x, system) for x in contacts(system)}
     for applied in system.scene.effects:
         names = [f"{applied.name}.force.{i}" for i in range(3)]
         if all(x in columns for x in names):
             yield {"body": bodies[applied.on], "point": _point(system, applied), "signals": names,
-                   "turns": False, "colour": _FORCE, "name": applied.name}
+                   "turns": False, "radius": touches.get(applied.name, 0.0),
+                   "colour": _CONTACT if applied.name in touches else _FORCE}
 
 
 def _point(system: System, applied: Applied) -> list[float]:
@@ -134,18 +143,18 @@ def _point(system: System, applied: Applied) -> list[float]:
 
 
 def ties(system: System) -> Iterator[Json]:
-    """The springs between two bodies, the rods that close loops, and those on which bodies slide.
-    """
+    """The springs between two bodies, the rods and points that close loops, and the rods on which
+    bodies slide."""
     model = system.scene.model
-    bodies = {"world": -1, **{body.name: n for n, body in enumerate(model.bodies)}}
+    bodies = {WORLD: -1, **{body.name: n for n, body in enumerate(model.bodies)}}
     for applied in system.scene.effects:
-        if applied.effect.place is Place.PAIR:
+        if applied.effect.pair_force:
             ends = [{"body": bodies[name], "point": numbers_of(system, applied.vector(which)
                                                                ).tolist()}
                     for name, which in zip(applied.bodies, (FIRST, SECOND), strict=True)]
-            yield {"ends": ends, "spring": True}
-    for loop in (x for x in model.loops if x.kind is ROD):
-        yield {"spring": False, "ends": [
+            yield {"kind": "spring", "ends": ends}
+    for loop in model.loops:
+        yield {"kind": "rod" if loop.kind is ROD else "closure", "ends": [
             {"body": bodies[x.body], "point": [*map(float, x.point)]}
             for x in (loop.first, loop.second)]}
     if not any(body.visuals for body in model.bodies):
@@ -153,6 +162,6 @@ def ties(system: System) -> Iterator[Json]:
             if joint.kind.moves and not joint.kind.floats and any(
                     not part.turns for part in joint.kind.parts):
                 at = numbers_of(system, joint.placement.t).tolist()
-                yield {"spring": False, "ends": [
+                yield {"kind": "rod", "ends": [
                     {"body": bodies[joint.parent], "point": at},
                     {"body": bodies[joint.child], "point": [0.0] * 3}]}

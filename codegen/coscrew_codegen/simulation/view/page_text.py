@@ -16,10 +16,12 @@ from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view import page_signals
-from coscrew_codegen.simulation.view.body_shapes import DrawnPart, RobotDrawing, numbers_of
+from coscrew_codegen.simulation.view.body_shapes import DrawnPart, RobotDrawing
+from coscrew_codegen.simulation.view.ground_shape import ground_of
 from coscrew_codegen.simulation.view.mesh_files import Piece
 from coscrew_codegen.simulation.view.page_block import NumberBlock, compressed
 from coscrew_codegen.simulation.view.page_runs import PageRun
+from coscrew_codegen.simulation.view.part_places import numbers_of
 from coscrew_codegen.simulation.view.playback import Playback, playback, up_of
 
 _LEAST_SHOWN = 3.0  # s: least duration of a playback at the initial speed
@@ -46,7 +48,8 @@ def text_of(shown: Playback) -> str:
     data = {"runs": [_packed(x, block) for x in runs], **_model(first.system, bodies),
             **_parts(drawing, block), "groups": page_signals.packed(shown.groups, block),
             "arrows": [*page_signals.arrows(first.system, runs[0].columns)],
-            "ties": [*page_signals.ties(first.system)]}
+            "ties": [*page_signals.ties(first.system)],
+            "ground": ground_of(first.system, runs[0].poses, block)}
     end = runs[0].t[-1]
     rest = "" if end == first.trajectory.t[-1] else (
         f"The playback ends at t = {end:.6g} s: the rest is too large to be shown.")
@@ -87,8 +90,10 @@ def _model(system: System, shown: Set[int]) -> dict[str, Json]:
             "name": body.name, "mass": float(numbers_of(system, (inertia.mass,))[0])
             if inertia else 0.0,
             "com": numbers_of(system, inertia.com).tolist() if inertia else [0.0] * 3})
-    joints: list[Json] = [{"name": x.name, "moves": x.kind.moves, "child": numbers[x.child]}
-              for x in model.joints]
+    joints: list[Json] = [
+        {"name": x.name, "kind": x.kind.name, "moves": x.kind.moves, "parent": numbers[x.parent],
+         "child": numbers[x.child], "axis": [*map(float, x.axis)] if len(x.axes) == 1 else None}
+        for x in model.joints]
     labels = [{"name": x.name, "body": n, "at": numbers_of(system, x.inertia.com).tolist()}
               for n, x in enumerate(model.bodies) if x.inertia and n in shown]
     return {"bodies": bodies, "joints": joints, "labels": labels, "up": up_of(system),

@@ -14,10 +14,11 @@ from coscrew_codegen.simulation import required_functions
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System, system
 from coscrew_codegen.simulation.view import page_signals
-from coscrew_codegen.simulation.view.body_shapes import RobotDrawing, drawn, numbers_of
+from coscrew_codegen.simulation.view.body_shapes import RobotDrawing, drawn
 from coscrew_codegen.simulation.view.collision_shapes import add_collisions
 from coscrew_codegen.simulation.view.page_runs import PageRun, run_of, target_of
 from coscrew_codegen.simulation.view.page_signals import SignalGroup
+from coscrew_codegen.simulation.view.part_places import numbers_of
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ Nothing is folded, reordered or shared: elementary functions rely on every round
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -103,7 +103,7 @@ class StepWriter:
             else:
                 number += 1
                 self._names[step.name] = f"{name}_{number}"
-            self._instructions[at] = replace(step, component=name)
+            self._instructions[at] = step._replace(component=name)
         return value
 
     def program(self, name: str, outputs: Sequence[Argument],

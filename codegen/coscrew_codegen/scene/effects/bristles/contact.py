@@ -1,44 +1,38 @@
-"""Contact with the ground: Hertz's law with Hunt and Crossley's damping along the normal, and
-elastic-plastic bristles across it, which hold for ever what dry friction would let creep."""
+"""Contact of a body with the ground, by the law of contacts."""
 
-from collections.abc import Sequence
 from fractions import Fraction
-from itertools import product
-from math import isqrt, log
-from math import sqrt as root_of
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
     Vector,
-    add,
     dot,
-    less,
     maximum,
-    minimum,
     scaled,
     sqrt,
     subtract,
-    where,
 )
+from coscrew_codegen.program import Constant
+from coscrew_codegen.scene.contacts.contact_law import (
+    COMMON,
+    MOMENTS,
+    STATES,
+    SWITCHES,
+    Meeting,
+    completed,
+    contact_law,
+    resists_turning,
+)
+from coscrew_codegen.scene.contacts.touching_parts import parts, parts_of
 from coscrew_codegen.scene.effect import (
-    BodyContact,
     BodyState,
     Effect,
     Force,
-    Given,
     ParameterOf,
     Place,
     PointSlopes,
-    Resting,
-    Slopes,
-    StateOf,
     Values,
 )
 
-_LEAST = Fraction(1, 10**30)
-"""N: instead of a force of zero, so that there is no 0/0."""
-_FREE_FALL = Fraction(981, 100)
-"""m/s²: of a load where there is no gravity."""
 _FLAT = Fraction(1, 10**6)
 """Smallest sine of the angle between a disc and the ground: of one that lies flat the rim has no
 lowest point."""
@@ -46,136 +40,60 @@ lowest point."""
 
 def _surface(state: BodyState, values: Values) -> tuple[Number, Vector, Vector]:
     """The gap to the ground, the ground's normal, in the world's frame, and the point of the
-    undeformed surface that is the closest to the ground, in the body's."""
+    undeformed surface that is the closest to the ground, in the body's.
+
+    Over heights they are those of the plane that is tangent where the surface would touch the plane
+    under its centre: once more than that plane itself, which is off by the heights' bend within a
+    radius."""
     centre = values.vector("point")
-    distance, n = state.above_ground(state.world_position(centre))
-    radius = values.get("radius")
-    if radius is None:
+    position = state.world_position(centre)
+    distance, n = state.above_ground(position)
+    if values.get("radius") is None:
         return distance, n, centre
-    up = state.own_direction(n)
-    if values.word("shape") == "disc":
-        axis = values.vector("axis")
-        axis = scaled(1 / sqrt(dot(axis, axis)), axis)
-        along = dot(axis, up)
-        sine = sqrt(maximum(1 - along * along, _FLAT * _FLAT))
-        radius, up = radius * sine, scaled(1 / sine, subtract(up, scaled(along, axis)))
-        return distance - radius, n, subtract(centre, scaled(radius / sine, up))
-    return distance - radius, n, subtract(centre, scaled(radius, up))
+    reach, offset = _reach(state, values, n)
+    if not all(isinstance(x.operand, Constant) for x in n):
+        away = state.world_direction(offset)
+        nearer, n = state.above_ground(subtract(position, away))
+        distance = nearer + dot(away, n)
+        reach, offset = _reach(state, values, n)
+    return distance - reach, n, subtract(centre, offset)
+
+
+def _reach(state: BodyState, values: Values, n: Vector) -> tuple[Number, Vector]:
+    """How far the surface reaches from its centre against a normal, and the way there, backwards,
+    in the body's frame."""
+    radius, up = values["radius"], state.own_direction(n)
+    if values.word("shape") != "disc":
+        return radius, scaled(radius, up)
+    axis = values.vector("axis")
+    axis = scaled(1 / sqrt(dot(axis, axis)), axis)
+    along = dot(axis, up)
+    sine = sqrt(maximum(1 - along * along, _FLAT * _FLAT))
+    reach, up = radius * sine, scaled(1 / sine, subtract(up, scaled(along, axis)))
+    return reach, scaled(reach / sine, up)
 
 
 def _force(state: BodyState, values: Values) -> Force:
-    """Along the normal N = k δ^1.5 max(1 - 1.5 alpha u_n, 0); across it -s (k_t z + d_t u_t), with
-    s such that it is at most mu N.
-
-    The bristles z are in the world's frame.  They move with u_t and keep within mu N/k_t; the power
-    holds all that the force across the normal does, also what the bristles store."""
+    """The law's force at the point of the undeformed surface that is the closest to the ground."""
     gap, n, point = _surface(state, values)
-    u = state.world_direction(state.velocity(point))
-    rise = dot(u, n)
-    slip = subtract(u, scaled(rise, n))
-    depth = maximum(-gap, 0)
-    root, steepness = values["k"] * sqrt(depth), values["alpha"] * Fraction(3, 2)
-    elastic, push = root * depth, maximum(1 - steepness * rise, 0)
-    N = elastic * push
-    grip, k_t, d_t = values["mu"] * N, values["k_t"], values["d_t"]
-    z = subtract(state.x, scaled(dot(state.x, n), n))
-    pull = add(scaled(k_t, z), scaled(d_t, slip))
-    share = grip / maximum(maximum(sqrt(dot(pull, pull)), grip), _LEAST)
-    friction = scaled(share, pull)
-    bent = k_t * sqrt(dot(z, z))
-    damping = where(less(gap.like(0), push), steepness * elastic, 0)
+    w = state.world_direction(state.angular_velocity) if resists_turning(values) else ()
+    law = contact_law(Meeting(gap, n, state.world_direction(state.velocity(point)), state.x, w),
+                      values)
+    up = state.own_direction(n)
+    turning = None if law.rolling is None or law.torsional is None else PointSlopes(
+        law.rolling, law.torsional, up)
     return Force(
-        point, state.own_direction(subtract(scaled(N, n), friction)),
-        energy=elastic * depth * Fraction(2, 5),
-        power=(N - elastic) * rise - dot(friction, slip),
-        slopes=PointSlopes(Slopes(share * d_t, share * k_t),
-                           Slopes(damping, root * push * Fraction(3, 2)), state.own_direction(n)),
-        rates=slip, kept=scaled(minimum(grip / maximum(bent, _LEAST), 1), z),
-        contact=BodyContact(values["k"], gap, rise, values["depth"]))
-
-
-def _parts(values: Given) -> Sequence[Given]:
-    """The contacts of a shape: a capsule's ends, a box's corners."""
-    centre = _numbers(values["point"])
-    if values["shape"] == "box":
-        size = _numbers(values["size"])
-        offsets = [tuple(sign * edge / 2 for sign, edge in zip(signs, size, strict=True))
-                   for signs in product((-1, 1), repeat=3)]
-        own: Given = {"shape": "point", "size": None}
-    elif values["shape"] == "capsule":
-        axis, half = _numbers(values["axis"]), Fraction(str(values["length"])) / 2
-        long = _root(sum((x * x for x in axis), Fraction(0)))
-        offsets = [tuple(sign * half * x / long for x in axis) for sign in (-1, 1)]
-        own = {"shape": "sphere", "axis": None, "length": None}
-    else:
-        return (values,)
-    return [{**values, **own, "point": tuple(a + b for a, b in zip(centre, x, strict=True))}
-            for x in offsets]
-
-
-def _numbers(given: object) -> tuple[Fraction, ...]:
-    """The numbers of a vector."""
-    return tuple(x for x in given if isinstance(x, Fraction)) if isinstance(given, tuple) else ()
-
-
-def _root(square: Fraction) -> Fraction:
-    """Its square root: exact if it is a fraction's square."""
-    above, below = isqrt(square.numerator), isqrt(square.denominator)
-    exact = Fraction(above, below)
-    return exact if exact * exact == square else _fraction(root_of(float(square)))
-
-
-def _completed(values: Given, resting: Resting) -> Given:
-    """The values with defaults for those that are not given, from the depth and the load.
-
-    Raises ValueError for values that exclude each other, and if a load is missing."""
-    given = {name: x for name, x in values.items() if isinstance(x, Fraction)}
-    for one, other in (("depth", "k"), ("restitution", "alpha")):
-        if one in given and other in given:
-            raise ValueError(f"{one} and {other} are given; wanted one of them")
-    if given.get("restitution", Fraction(0)) > 1:
-        raise ValueError("a bounce does not gain speed; wanted a restitution of at most 1")
-    load, k = given.get("load", resting.load), given.get("k")
-    if not load and not {"k", "k_t", "d_t"} <= given.keys():
-        raise ValueError("without gravity no weight presses on the ground; wanted load in N")
-    radius = given.get("radius", Fraction(0))
-    depth = given.get("depth", min(Fraction(1, 1000), radius / 20 or 1))
-    if k is None:
-        k = _fraction(float(load) / float(depth)**1.5)
-    else:
-        depth = _fraction((float(load) / float(k))**(2 / 3))
-    k_t = given.get("k_t") or load / depth
-    d_t = given["d_t"] if "d_t" in given else _fraction(
-        0.4 * root_of(float(k_t * load / (resting.g or _FREE_FALL))))
-    alpha = _fraction(damping_of(float(given["restitution"]), float(given["speed"]))) \
-        if "restitution" in given else given.get("alpha", Fraction(1))
-    return {**values, "load": load, "depth": depth, "k": k, "alpha": alpha, "k_t": k_t, "d_t": d_t}
-
-
-def _fraction(x: float) -> Fraction:
-    return Fraction(repr(x))
-
-
-def damping_of(restitution: float, speed: float) -> float:
-    """alpha with which a bounce at this speed keeps this share e of it.
-
-    With y = 1.5 alpha v the law's bounce has (1 + e) y = log((1 + y)/(1 - e y)); y lies between 0
-    and 1/e."""
-    if restitution >= 1:
-        return 0.0
-    e, low, high = restitution, 0.0, 1 / restitution
-    while low < (y := (low + high) / 2) < high:
-        if (1 + e) * y < log((1 + y) / (1 - e * y)):
-            high = y
-        else:
-            low = y
-    return y / (1.5 * speed)
+        point, state.own_direction(law.force),
+        state.own_direction(law.moment) if turning else None, law.energy, law.power,
+        slopes=PointSlopes(law.across, law.along, up), turning=turning,
+        rates=law.rates, bounded=law.bounded, share=law.share, switches=law.switches,
+        contact=law.contact)
 
 
 EFFECT = Effect(
     "contact", "contact of a body with the ground: elastic, damped, with dry friction that holds",
     "N = k δ^1.5 max(1 - 1.5 alpha u_n, 0); T = -(k_t z + d_t u_t), at most mu N; z' = u_t until "
-    "k_t |z| is mu N", Place.BODY,
+    "k_t |z| is mu N; M = -torsional N w_n/|w_n| - rolling N w_t/|w_t|", Place.BODY,
     (ParameterOf("shape", "", "of the body where it touches: a box has eight corners, a capsule "
                  "two ends, a disc a sharp rim", "choice", "point",
                  choices=("point", "sphere", "capsule", "box", "disc")),
@@ -187,22 +105,6 @@ EFFECT = Effect(
      ParameterOf("length", "m", "distance between the centres of a capsule's ends",
                  of=("capsule",), positive=True),
      ParameterOf("size", "m", "edges of a box", "vector", of=("box",), positive=True),
-     ParameterOf("mu", "1", "coefficient of friction", nonnegative=True),
-     ParameterOf("depth", "m", "how deep it sinks under the load, in place of k; 1 mm, or 1/20 of "
-                 "the radius if that is less, if neither is given", required=False, positive=True),
-     ParameterOf("load", "N", "the weight of the body's tree over the number of its contacts if "
-                 "not given", required=False, positive=True),
-     ParameterOf("k", "N/m^1.5", "stiffness; load/depth^1.5 if not given", required=False,
-                 positive=True),
-     ParameterOf("alpha", "s/m", "damping: a bounce at the speed v keeps about 1/(1 + alpha v) of "
-                 "it; 1 if neither it nor restitution is given", required=False, nonnegative=True),
-     ParameterOf("restitution", "1", "share of its speed that a bounce at `speed` keeps, in place "
-                 "of alpha", required=False, positive=True),
-     ParameterOf("speed", "m/s", "speed of that bounce", default=1, positive=True),
-     ParameterOf("k_t", "N/m", "stiffness of the bristles; load/depth if not given",
-                 required=False, positive=True),
-     ParameterOf("d_t", "N s/m", "damping of the bristles; 0.4 sqrt(k_t load/g) if not given",
-                 required=False, nonnegative=True)),
-    body_force=_force, stores_energy=True, chosen_by="shape", parts=_parts, completed=_completed,
-    states=tuple(StateOf(x, "m", f"deflection of the bristles along the world's {x}")
-                 for x in "xyz"))
+     *COMMON, *MOMENTS),
+    body_force=_force, stores_energy=True, chosen_by="shape", parts=parts, parts_of=parts_of,
+    completed=completed, states=STATES, switches=SWITCHES)

@@ -28,7 +28,9 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
         level = tau_c + (tau_s - tau_c) * exp(-(ratio * ratio))
     k = values["k"]
     share = minimum(level / maximum(k * absolute(z), _LEAST), 1)
-    return Torque(-(k * z + values["d"] * v), limit=level, rates=(v,), kept=(z * share,))
+    pull = k * z + values["d"] * v
+    return Torque(-pull, limit=level, rates=(v,), bounded=(z,), share=share,
+                  switches=(level - absolute(pull), level - k * absolute(z)))
 
 
 def _completed(values: Given, _: Resting) -> Given:
@@ -56,4 +58,4 @@ EFFECT = Effect(
      ParameterOf("d", "N m s/rad or N s/m", "damping of the bristles; k times 10 ms if not given",
                  required=False, nonnegative=True)),
     joint_torque=_torque, completed=_completed,
-    states=(StateOf("z", "rad or m", "deflection of the bristles"),))
+    states=(StateOf("z", "rad or m", "deflection of the bristles"),), switches=2)

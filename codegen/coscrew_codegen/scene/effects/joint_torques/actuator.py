@@ -1,9 +1,17 @@
 """Actuator: a torque as a function of time, a PD controller or a DC motor; all may saturate, the
-first two by a line of torque over speed."""
+first two by a line of torque over speed; and all may follow their demand with a lag."""
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import (
+    CoordinateState,
+    Effect,
+    ParameterOf,
+    Place,
+    StateOf,
+    Torque,
+    Values,
+)
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.numbers import Number
@@ -12,7 +20,7 @@ if TYPE_CHECKING:
 def _torque(state: CoordinateState, values: Values) -> Torque:
     """sat(u) = max(-limit, min(u, limit)), less where it drives a joint that moves fast."""
     return Torque(_demanded(state, values), limit=values.get("limit"),
-                  no_load=values.get("speed"))
+                  no_load=values.get("speed"), lag=values.get("lag"))
 
 
 def _demanded(state: CoordinateState, values: Values) -> "Number":
@@ -41,7 +49,7 @@ EFFECT = Effect(
     "tau = sat(u); torque: u = torque(t) + g; pd: u = kp (target(t) - q) + kd (target_v(t) - v) + "
     "torque(t) + g; dc: u = (gear kt/R) (voltage(t) - ke gear v); g = gravity_torques(q) of the "
     "joint if compensated, else 0; |sat(u)| <= limit, and <= limit max(1 - |v|/speed, 0) if it "
-    "drives", Place.JOINT,
+    "drives; with a lag tau' = (sat(u) - tau)/lag, from tau = 0", Place.JOINT,
     (ParameterOf("kind", "", "kind of actuator", "choice", choices=("torque", "pd", "dc")),
      ParameterOf("torque", "N m or N", "torque or force; of pd fed forward", "formula",
                  of=("torque", "pd"), optional_of=("pd",)),
@@ -64,5 +72,8 @@ EFFECT = Effect(
                  model="effort", positive=True),
      ParameterOf("speed", "rad/s or m/s", "speed without load, at which it drives no more; none if "
                  "left out", required=False, model="velocity", positive=True, needs="limit",
-                 of=("torque", "pd"), optional_of=("torque", "pd"))),
-    joint_torque=_torque, limited_by="limit", compensates="gravity_compensation")
+                 of=("torque", "pd"), optional_of=("torque", "pd")),
+     ParameterOf("lag", "s", "time constant with which the torque follows its demand; none if left "
+                 "out", required=False, positive=True)),
+    joint_torque=_torque, limited_by="limit", compensates="gravity_compensation", drives=True,
+    states=(StateOf("delivered", "N m or N", "torque that acts", of="lag"),))

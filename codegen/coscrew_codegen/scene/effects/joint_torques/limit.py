@@ -45,10 +45,10 @@ EFFECT = Effect(
     Place.JOINT,
     (ParameterOf("lower", "rad or m", f"lower {_RANGE}", default="model", required=False,
                  model="lower"),
-     ParameterOf("upper", "rad or m", f"upper {_RANGE}", default="model", required=False,
-                 model="upper"),
+     ParameterOf("upper", "rad or m", f"upper {_RANGE}; of a spherical joint the largest angle",
+                 default="model", required=False, model="upper"),
      ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True, example="1e4"),
      ParameterOf("alpha", "s/rad or s/m", "damping: a bounce at the speed v keeps about "
                  "1/(1 + alpha v) of it", default=0, nonnegative=True)),
     any_of=("lower", "upper"), ascending=("lower", "upper"), joint_torque=_torque,
-    stores_energy=True)
+    stores_energy=True, by_angle=True)

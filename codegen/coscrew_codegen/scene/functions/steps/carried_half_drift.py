@@ -20,7 +20,7 @@ def lacks(its: Situation) -> str:
 
 def carries(scene: Scene) -> bool:
     """Returns whether the velocities of free bases stay the same in the world while they drift."""
-    return any(x.effect.parts for x in scene.effects) and any(
+    return any(x.effect.parts or x.effect.bodies_force for x in scene.effects) and any(
         x.kind.floats and x.parent == WORLD for x in scene.model.joints)
 
 

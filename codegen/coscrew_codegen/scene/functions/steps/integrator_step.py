@@ -2,20 +2,17 @@
 
 from dataclasses import replace
 
-from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.integrators import DEFAULT, EMITTED, named
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import IF_SELECTED, Default, Depends, Q, SceneFunction, V
 
 
 def _members(own: SceneFunction, scene: Scene) -> tuple[SceneFunction, ...]:
-    """One for each integrator, and one for each with torques of joints; if effects have states, for
-    those that move them."""
-    able = [x for x in EMITTED if x.moves_states] if states_of(scene) else EMITTED
+    """One for each integrator, and one for each with torques of joints."""
     return (*(replace(own, name=x.step_name, words=x.equation, target=x.name, step=x)
-              for x in able),
+              for x in EMITTED),
             *(replace(own, name=x.step_with_tau, words=x.equation, target=x.name, step=x,
-                      inputs="h q v tau", default=IF_SELECTED) for x in able))
+                      inputs="h q v tau", default=IF_SELECTED) for x in EMITTED))
 
 
 def _of_run(scene: Scene, integrator: str) -> bool:

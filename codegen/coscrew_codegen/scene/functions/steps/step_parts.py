@@ -5,6 +5,9 @@ from coscrew_codegen.scene.scene_function import COUNT, Array, SceneFunction
 
 MOST = 1024
 """Largest number of parts of a step."""
+MOST_OF_CONTACTS = 64
+"""Largest number for contacts of bodies: where more would be needed, bounces lose speed, but the
+implicit step stays stable."""
 
 FUNCTION = SceneFunction(
     "parts", 200, "count, part = h/count: the number and length of the parts in which a step of h "

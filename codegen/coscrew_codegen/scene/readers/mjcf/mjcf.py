@@ -29,6 +29,7 @@ from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
+from coscrew_codegen.scene.readers.mjcf.mjcf_laws import laws
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import MjcfLoops, loops
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
@@ -52,15 +53,16 @@ def _parts(source: ModelSource) -> Parts:
     closed = MjcfLoops() if "loops" in source.leave_out else loops(model, names)
     parts = [*(x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)),
              *closed.frames]
+    joints = tuple(x for x in parts if isinstance(x, Joint))
+    led = () if "loops" in source.leave_out else laws(model, names, joints)
     return Parts(
-        source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
-        tuple(x for x in parts if isinstance(x, Joint)),
+        source.path.stem, tuple(x for x in parts if isinstance(x, Body)), joints,
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
         offered=tendons(model, names).offered,
         start=_start(model, names),
         notices=(*left_out, *ignored(model, names), *(
             Notice("other tools' numbers", "model", f"MuJoCo warns: {x}") for x in warnings)),
-        loops=tuple(closed.loops), collisions=tuple(collisions(model, names, seen)))
+        loops=(*closed.loops, *led), collisions=tuple(collisions(model, names, seen)))
 
 
 def _warned(source: ModelSource) -> "tuple[mujoco.MjModel, list[str]]":
@@ -137,10 +139,10 @@ def _joint(model: "mujoco.MjModel", names: MjcfNames, j: int, parent: str, child
            ) -> Joint:
     kind, name, dof = _KINDS[model.jnt_type[j]], names.joint(j), int(model.jnt_dofadr[j])
     damping, friction = exact([model.dof_damping[dof], model.dof_frictionloss[dof]])
-    if kind in (FREE, SPHERICAL):
-        return Joint(name, kind, parent, child, at, damping=damping or None,
-                     friction=friction or None)
     lower, upper = exact(model.jnt_range[j]) if model.jnt_limited[j] else (None, None)
+    if kind in (FREE, SPHERICAL):
+        return Joint(name, kind, parent, child, at, upper=upper, damping=damping or None,
+                     friction=friction or None)
     effort = exact(model.jnt_actfrcrange[j])[1] if model.jnt_actfrclimited[j] else None
     return Joint(name, kind, parent, child, at, rotations.unit(exact(model.jnt_axis[j])),
                  lower, upper, effort if effort and effort > 0 else None,

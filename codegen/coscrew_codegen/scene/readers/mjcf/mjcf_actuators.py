@@ -8,7 +8,7 @@ A motor's torque, a servo's target or its target_v is ctrl itself; of others the
 g ctrl + b0.  These numbers stay arguments of the scene's functions, and are by default what MuJoCo
 has for ctrl = 0."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
@@ -33,6 +33,31 @@ class Actuators:
     inputs: tuple[str, ...]
     notices: tuple[Notice, ...]
     refused: tuple[str, ...]
+
+
+def rotors(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, dict[str, object]]:
+    """The armature and the damping of actuators, which act on their lengths, by effect and label.
+    """
+    tables: dict[str, dict[str, object]] = {"armature": {}, "viscous": {}}
+    for i in range(model.nu):
+        if joints := _joints(model, names, i):
+            for effect, key, of in (("armature", "inertia", model.actuator_armature),
+                                    ("viscous", "d", model.actuator_damping)):
+                if of[i]:
+                    tables[effect][f"rotor of {names.actuator(i)}"] = {
+                        "joints": joints, key: decimals([of[i]])[0]}
+    return tables
+
+
+def unkept_rotors(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
+    """Group and element of actuators whose armature or damping no effect is like."""
+    for i in range(model.nu):
+        element = f"actuator {model.actuator(i).name or i!r}"
+        if model.actuator_dampingpoly[i].any():
+            yield "polynomials", f"damping of {element}"
+        if (model.actuator_armature[i] or model.actuator_damping[i]) and not _joints(
+                model, names, i):
+            yield "actuators", element
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.readers.declared_effects import Effects
+from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import rotors
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import (
     MjcfNames,
     decimals,
@@ -26,7 +27,7 @@ def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, o
     g = [0.0 if weightless else float(x) for x in model.opt.gravity]
     tables: dict[str, dict[str, object]] = {
         "actuator": dict(actuators), "armature": {}, "gravity": {"g": decimals(g)}, "spring": {},
-        "viscous": {}, "wrench": {}}
+        "spring_damper": {}, "viscous": {}, "wrench": {}}
     for j in range(model.njnt):
         name, dof = names.joint(j), int(model.jnt_dofadr[j])
         if model.dof_armature[dof]:
@@ -40,8 +41,9 @@ def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, o
             tables["wrench"][f"gravcomp of {names.body(b)}"] = {
                 "body": names.body(b), "point": decimals(model.body_ipos[b]),
                 "force": decimals(lift * x for x in g), "frame": "world"}
-    for name, table in tendons(model, names).effects.items():
-        tables[name] |= table
+    for more in (tendons(model, names).effects, rotors(model, names)):
+        for name, table in more.items():
+            tables[name] |= table
     return {name: table for name, table in tables.items() if table}
 
 
@@ -55,15 +57,29 @@ def _rest(model: "mujoco.MjModel", j: int) -> Decimals | list[Decimals]:
 
 def followers(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, Mimic]:
     """The joints that an equality, linear and active, makes follow another, by name:
-    q_y - y0 = c0 + c1 (q_x - x0).  Of two for one follower the first counts."""
+    q_y - y0 = c0 + c1 (q_x - x0)."""
     mimics: dict[str, Mimic] = {}
-    for e in range(model.neq):
-        y, x = (int(z) for z in (model.eq_obj1id[e], model.eq_obj2id[e]))
-        if follows(model, e):
-            c0, c1 = exact(model.eq_data[e][:2])
-            y0, x0 = exact(model.qpos0[model.jnt_qposadr[[y, x]]])
-            mimics.setdefault(names.joint(y), Mimic(names.joint(x), c1, y0 + c0 - c1 * x0))
+    for y, e in following(model).items():
+        x = int(model.eq_obj2id[e])
+        c0, c1 = exact(model.eq_data[e][:2])
+        y0, x0 = exact(model.qpos0[model.jnt_qposadr[[y, x]]])
+        mimics[names.joint(y)] = Mimic(names.joint(x), c1, y0 + c0 - c1 * x0)
     return mimics
+
+
+def following(model: "mujoco.MjModel") -> dict[int, int]:
+    """The equalities by which joints follow others, by joint: the first for each, and none by which
+    a joint would follow itself."""
+    leaders, equalities = dict[int, int](), dict[int, int]()
+    for e in range(model.neq):
+        y, x = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
+        if follows(model, e) and y not in leaders:
+            last = x
+            while last in leaders:
+                last = leaders[last]
+            if last != y:
+                leaders[y], equalities[y] = x, e
+    return equalities
 
 
 def follows(model: "mujoco.MjModel", e: int) -> bool:

@@ -5,8 +5,9 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.notices import Notice
-from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
-from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
+from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators, unkept_rotors
+from coscrew_codegen.scene.readers.mjcf.mjcf_effects import following
+from coscrew_codegen.scene.readers.mjcf.mjcf_laws import lawful
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closings, idle
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, one_coordinate
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
@@ -17,12 +18,11 @@ if TYPE_CHECKING:
     import mujoco
 
 GROUPS: Mapping[str, str] = {
-    "loops": "closes a loop of bodies, and is kept unless it is named here",
-    "equalities": "is no line between two joints of one coordinate, or the second of a joint",
-    "tendons": "pulls, and is no sum of joints' coordinates with one length at rest, or has an "
-               "armature",
+    "loops": "closes a loop, or is a law of joints, and is kept unless it is named here",
+    "equalities": "is no equality of bodies, of joints or of fixed tendons",
+    "tendons": "pulls, and is no sum of joints' coordinates, nor a line between two sites, with "
+               "one length at rest",
     "actuators": "exerts forces of its own as no effect does",
-    "ball_joints": "is of a free or ball joint, which no effect limits",
     "polynomials": "is no line in velocity or position, or yields",
     "fluid": "makes forces of a fluid",
     "flexes": "is not rigid",
@@ -45,13 +45,11 @@ def refused(source: ModelSource, model: "mujoco.MjModel", names: MjcfNames) -> I
 
 def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
     """Group and element."""
-    yield from _equalities(model)
+    yield from _equalities(model, names)
     yield from tendons(model, names).refused
     for name in actuators(model, names).refused:
         yield "actuators", name
-    for i in range(model.nu):
-        if model.actuator_armature[i] or model.actuator_damping[i]:
-            yield "actuators", f"actuator {model.actuator(i).name or i!r}"
+    yield from unkept_rotors(model, names)
     yield from _of_joints(model, names)
     if model.opt.density or model.opt.viscosity or model.opt.wind.any():
         yield "fluid", "option density, viscosity or wind"
@@ -61,14 +59,12 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, st
         yield "plugins", "plugin"
 
 
-def _equalities(model: "mujoco.MjModel") -> Iterator[tuple[str, str]]:
+def _equalities(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
     import mujoco
 
-    loops, led = {*closings(model)}, set[int]()
+    loops, led = {*closings(model), *lawful(model, names)}, {*following(model).values()}
     for e in range(model.neq):
-        if follows(model, e) and (y := int(model.eq_obj1id[e])) not in led:
-            led.add(y)
-        elif e in loops or model.eq_active0[e] and not idle(model, e):
+        if e in loops or e not in led and model.eq_active0[e] and not idle(model, e):
             group = "loops" if e in loops else "equalities"
             kind = mujoco.mjtEq(int(model.eq_type[e])).name.removeprefix("mjEQ_").lower()
             yield group, f"equality {kind} {model.equality(e).name or e!r}"
@@ -83,13 +79,12 @@ def _of_joints(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str,
         if model.dof_dampingpoly[dofs].any() or model.jnt_stiffnesspoly[j].any() or (
                 model.jnt_plasticadr[j] >= 0):
             yield "polynomials", f"damping or stiffness of joint {name!r}"
-        if j not in simple and model.jnt_limited[j]:
-            yield "ball_joints", f"range of joint {name!r}"
 
 
 def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
     """Yields notices of actuators, tendons, and elements that are not read: contact, mocap."""
     yield from actuators(model, names).notices
+    yield from tendons(model, names).notices
     for b in range(1, model.nbody):
         if model.body_mocapid[b] >= 0:
             yield Notice(_OTHER, f"body {names.body(b)}", f"body {names.body(b)}: is moved by hand "

@@ -36,16 +36,11 @@ def idle(model: "mujoco.MjModel", e: int) -> bool:
     return _kind(model, e) is not None and e not in closings(model) and bool(model.eq_active0[e])
 
 
-def name_of(model: "mujoco.MjModel", e: int) -> str:
-    """The name of a loop."""
-    return model.equality(e).name or f"equality{e}"
-
-
 def loops(model: "mujoco.MjModel", names: MjcfNames) -> MjcfLoops:
     """Returns the loops of a model."""
     result = MjcfLoops()
     for e in closings(model):
-        kind, name = _kind(model, e), name_of(model, e)
+        kind, name = _kind(model, e), names.equality(e)
         assert kind
         ends: list[LoopEnd] = []
         for body, place, word in zip(_bodies(model, e), _places(model, e), ("first", "second"),

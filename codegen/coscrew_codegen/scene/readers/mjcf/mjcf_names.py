@@ -29,6 +29,8 @@ class MjcfNames:
         labels = {*self._taken[1], *_KEYS}
         self._tendons = [_new(model.tendon(t).name or f"tendon{t}", labels)
                          for t in range(model.ntendon)]
+        self._equalities = [_new(model.equality(e).name or f"equality{e}", {
+            model.equality(k).name for k in range(model.neq) if k != e}) for e in range(model.neq)]
         labels = {*self._taken[1], *_KEYS}
         self._actuators = [_new(model.actuator(i).name or f"actuator{i}", labels)
                            for i in range(model.nu)]
@@ -44,6 +46,10 @@ class MjcfNames:
     def tendon(self, number: int) -> str:
         """The label of effects on a tendon."""
         return self._tendons[number]
+
+    def equality(self, number: int) -> str:
+        """The name of the loop that an equality closes."""
+        return self._equalities[number]
 
     def actuator(self, number: int) -> str:
         """The label of an actuator."""

@@ -1,9 +1,11 @@
-"""Fixed tendons of an MJCF: weighted sums of joints' coordinates, and the effects on them."""
+"""Tendons of an MJCF: weighted sums of joints' coordinates, and lines between two sites; and the
+effects on them."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, decimals
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 
@@ -14,11 +16,12 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class Tendons:
     """The tendons: effects that they declare, by effect and label; those for which a scene chooses
-    further numbers; and those that are no sums of coordinates, but pull."""
+    further numbers; those that pull as no effect does; and what is not used of others."""
 
-    effects: Mapping[str, Mapping[str, Mapping[str, object]]]
-    offered: Mapping[str, Mapping[str, Mapping[str, object]]]
-    refused: tuple[tuple[str, str], ...]  # group and element
+    effects: dict[str, dict[str, Mapping[str, object]]]
+    offered: dict[str, dict[str, Mapping[str, object]]]
+    refused: list[tuple[str, str]]  # group and element
+    notices: list[Notice]
 
 
 def weights(model: "mujoco.MjModel", names: MjcfNames, t: int, gear: float = 1.0
@@ -38,31 +41,70 @@ def weights(model: "mujoco.MjModel", names: MjcfNames, t: int, gear: float = 1.0
 
 def tendons(model: "mujoco.MjModel", names: MjcfNames) -> Tendons:
     """Returns the tendons of a model."""
-    effects: dict[str, dict[str, Mapping[str, object]]] = {"spring": {}, "viscous": {}}
-    offered: dict[str, dict[str, Mapping[str, object]]] = {}
-    refused: list[tuple[str, str]] = []
+    result = Tendons({"armature": {}, "spring": {}, "spring_damper": {}, "viscous": {}}, {}, [], [])
     for t in range(model.ntendon):
-        joints, (low, high) = weights(model, names, t), model.tendon_lengthspring[t]
-        element, pulls = f"tendon {model.tendon(t).name or t!r}", model.tendon_stiffness[t]
-        if not joints or pulls and low != high or model.tendon_armature[t]:
+        joints, ends = weights(model, names, t), _ends(model, t)
+        element, two_lengths = f"tendon {model.tendon(t).name or t!r}", model.tendon_stiffness[
+            t] and len({*model.tendon_lengthspring[t]}) > 1
+        if not (joints or ends) or two_lengths or ends and model.tendon_armature[t]:
             if any(x[t] for x in (model.tendon_stiffness, model.tendon_damping,
                                   model.tendon_armature, model.tendon_frictionloss,
                                   model.tendon_limited)):
-                refused.append(("tendons", element))
+                result.refused.append(("tendons", element))
             continue
         if model.tendon_stiffnesspoly[t].any() or model.tendon_dampingpoly[t].any() or (
                 model.tendon_plasticadr[t] >= 0):
-            refused.append(("polynomials", f"damping or stiffness of {element}"))
-        label = names.tendon(t)
-        if pulls:
-            k, q0 = decimals([pulls, low])
-            effects["spring"][label] = {"joints": joints, "k": k, "q0": q0}
-        if model.tendon_damping[t]:
-            effects["viscous"][label] = {"joints": joints,
-                                         "d": decimals([model.tendon_damping[t]])[0]}
-        for effect, values in _offered(model, t, joints):
-            offered.setdefault(effect, {})[label] = values
-    return Tendons(effects, offered, tuple(refused))
+            result.refused.append(("polynomials", f"damping or stiffness of {element}"))
+        if joints:
+            _act_on_sum(model, names, t, joints, result)
+        else:
+            _act_on_line(model, names, t, ends, result)
+    return result
+
+
+def _act_on_sum(model: "mujoco.MjModel", names: MjcfNames, t: int, joints: Mapping[str, object],
+                result: Tendons) -> None:
+    """Enter the effects of a tendon on a sum of coordinates."""
+    label = names.tendon(t)
+    k, q0, d, inertia = decimals([model.tendon_stiffness[t], model.tendon_lengthspring[t][0],
+                                  model.tendon_damping[t], model.tendon_armature[t]])
+    for effect, values in (("spring", {"k": k, "q0": q0}), ("viscous", {"d": d}),
+                           ("armature", {"inertia": inertia})):
+        if float(next(iter(values.values()))):
+            result.effects[effect][label] = {"joints": joints, **values}
+    for effect, offered in _offered(model, t, joints):
+        result.offered.setdefault(effect, {})[label] = offered
+
+
+def _ends(model: "mujoco.MjModel", t: int) -> tuple[int, ...]:
+    """The two sites between which a tendon is a straight line; () of another tendon."""
+    import mujoco
+
+    first, count = int(model.tendon_adr[t]), int(model.tendon_num[t])
+    sites = {int(x) for x in model.wrap_type[first:first + count]}
+    return tuple(int(x) for x in model.wrap_objid[first:first + 2]) if count == 2 and sites == {
+        int(mujoco.mjtWrap.mjWRAP_SITE)} else ()
+
+
+def _act_on_line(model: "mujoco.MjModel", names: MjcfNames, t: int, sites: tuple[int, ...],
+                 result: Tendons) -> None:
+    """Enter the spring and damper between the bodies of two sites that can move against each
+    other; tell of friction and range, as which no effect acts there."""
+    label, bodies = names.tendon(t), [int(model.site_bodyid[x]) for x in sites]
+    if len({int(model.body_weldid[x]) for x in bodies}) == 1:
+        return
+    points = [decimals(model.site_pos[x]) for x in sites]
+    k, length, d = decimals([model.tendon_stiffness[t], model.tendon_lengthspring[t][0],
+                             model.tendon_damping[t]])
+    if float(k) or float(d):
+        result.effects["spring_damper"][label] = {
+            "bodies": [names.body(x) for x in bodies], "first": points[0], "second": points[1],
+            "k": k, "d": d, "length": length if float(k) else Decimals("0")}
+    for what, there in (("friction", model.tendon_frictionloss[t]),
+                        ("range", model.tendon_limited[t])):
+        if there:
+            result.notices.append(Notice("other tools' numbers", f"tendon {label}", f"tendon "
+                                         f"{label}: its {what} is used by no effect"))
 
 
 def _offered(model: "mujoco.MjModel", t: int, joints: Mapping[str, object]

@@ -16,7 +16,7 @@ from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.sdf.sdf_collisions import collisions
-from coscrew_codegen.scene.readers.sdf.sdf_joints import SdfJoints
+from coscrew_codegen.scene.readers.sdf.sdf_loops import SdfLoops
 from coscrew_codegen.scene.readers.sdf.sdf_visuals import visuals
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 from coscrew_codegen.scene.readers.urdf.xml import Element
@@ -28,7 +28,7 @@ _DEFAULTS = {"inertial": "1 kg and 1 kg m²", "mass": "1 kg", "inertia": "1 kg m
 """What SDF takes where elements are missing."""
 
 
-class _Sdf(SdfJoints):
+class _Sdf(SdfLoops):
     """Reads one file.  Raises SceneError, naming file and line, for what SDF does not have, what
     is not supported, and numbers that cannot be."""
 
@@ -41,16 +41,18 @@ class _Sdf(SdfJoints):
     def parts(self) -> Parts:
         model, gravity = self._model()
         self.collect(model, "")
+        self.close(opened="loops" in self.source.leave_out)
         parts: list[Body | Joint] = []
         for full, (element, scope) in self.frames.items():
             if element.tag == "link":
                 parts.append(self._body(element, full))
-            elif element.tag == "joint":
+            elif element.tag == "joint" and full not in self.closings.names:
                 parts += self.joint(element, full, scope)
             elif element.tag == "frame":
                 link = self.link_of(full)
                 parts += (Body(full), Joint(f"{full}/frame", FIXED, link, full,
                                             self.within(link, full)))
+        parts += self.closings.frames
         effects: Effects = {"gravity": gravity, "spring": self.springs}
         return Parts(
             self.name(model), tuple(x for x in parts if isinstance(x, Body)),
@@ -60,6 +62,7 @@ class _Sdf(SdfJoints):
             effects={name: table for name, table in effects.items() if table},
             implausible=tuple(self.lacking), notices=tuple(self.notices), base=FREE,
             roots={full: self.within(WORLD, full) for full, x in self._links()},
+            loops=tuple(self.closings.loops),
             collisions=tuple(y for full, x in self._links()
                              for y in collisions(self, x, full, self.source)))
 
@@ -103,10 +106,10 @@ class _Sdf(SdfJoints):
                 self.refuse(link, f"lacks <{tag}>, for which SDF takes {_DEFAULTS[tag]}; wanted "
                                   f'it, or implausible = "{WARN}"')
             self.lacking.append(f"body {full!r}: lacks <{tag}>; SDF takes {_DEFAULTS[tag]}")
-        return Body(full, self._inertia(inertial) if inertial else
+        return Body(full, self._inertia(inertial, full) if inertial else
                     Inertia(_ONE[0], _NONE, _ONE + _NONE), visuals(self, link, self.source))
 
-    def _inertia(self, inertial: Element) -> Inertia:
+    def _inertia(self, inertial: Element, full: str) -> Inertia | None:
         if self.as_flag(inertial, "auto", inertial.attributes.get("auto", "false")):
             self.refuse(inertial, "its inertia follows from shapes (auto); wanted numbers")
         pose, matrix = self.only(inertial, "pose"), self.only(inertial, "inertia")
@@ -114,9 +117,13 @@ class _Sdf(SdfJoints):
             self.refuse(pose, "the pose of <inertial> is relative to its link; wanted no "
                               "relative_to")
         mass = self.number(inertial, "mass", "1")
-        if mass <= 0:
-            self.refuse(inertial, f"mass {float(mass):g} kg, for which SDF's library takes 1 kg; "
-                                  "wanted a positive mass")
+        if mass < 0 or not mass and not self.lenient:
+            remedy = f', or implausible = "{WARN}": none' if not mass else ""
+            self.refuse(inertial, f"mass {float(mass):g} kg, for which other programs take 1 kg, "
+                                  f"or none; wanted a positive mass{remedy}")
+        if not mass:
+            self.lacking.append(f"body {full!r}: mass 0 kg; taken as a frame without inertia")
+            return None
         at = self.pose(inertial)
         moments = _ONE + _NONE if matrix is None else tuple(
             self.number(matrix, tag, "0" if tag in _MOMENTS[3:] else None) for tag in _MOMENTS)
@@ -125,6 +132,6 @@ class _Sdf(SdfJoints):
 
 READER = ModelReader(
     "SDF", (".sdf", ".world"), "one model of Gazebo, alone or in a world, with models in it: "
-    "links, frames, joints with damping, friction, springs, limits and mimics, the world's "
-    "gravity; a root that no joint moves floats", lambda source: _Sdf(source).parts(),
-    takes_packages=True)
+    "links, frames, joints with damping, friction, springs, limits and mimics, closed loops, the "
+    "world's gravity; a root that no joint moves floats", lambda source: _Sdf(source).parts(),
+    takes_packages=True, leaves_out=("loops",))

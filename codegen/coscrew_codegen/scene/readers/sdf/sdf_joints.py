@@ -59,7 +59,7 @@ class SdfJoints(SdfFrames):
             self.refuse(joint, f"type {shown(word)}; wanted one of {', '.join(TYPES)}"
                                f"{or_mean(word, TYPES)}")
         kind, count = TYPES[word]
-        parent, child = self._ends(joint, scope)
+        parent, child = self.ends(joint, scope)
         for tag in _AXES[count:] if kind is not FIXED else ():
             if axis := self.only(joint, tag):
                 self._beyond(axis, full, kind)
@@ -113,7 +113,7 @@ class SdfJoints(SdfFrames):
         self.notices.append(Notice("other tools' numbers", of, f"{of}: <{axis.tag}> in line "
                                    f"{axis.line}, of a ball joint, is not used"))
 
-    def _ends(self, joint: Element, scope: str) -> tuple[str, str]:
+    def ends(self, joint: Element, scope: str) -> tuple[str, str]:
         """The links that the joint connects."""
         near, far = self.text(joint, "parent"), self.text(joint, "child")
         parent = WORLD if self.is_world(scope, near) else \
@@ -136,6 +136,12 @@ class SdfJoints(SdfFrames):
         return replace(joint, axis=self._direction(owner, axis, scope), lower=lower, upper=upper,
                        effort=effort, velocity=velocity, damping=damping, friction=friction,
                        mimic=self._mimic(axis, scope))
+
+    def direction(self, joint: Element, scope: str) -> tuple[Fraction, ...]:
+        """The axis of a joint with one, in the joint's frame, of norm 1."""
+        axis = self.only(joint, _AXES[0])
+        return self.refuse(joint, f"lacks <{_AXES[0]}>") if axis is None else self._direction(
+            joint, axis, scope)
 
     def _direction(self, joint: Element, axis: Element, scope: str) -> tuple[Fraction, ...]:
         """The axis in the joint's frame, of norm 1."""

@@ -8,6 +8,7 @@ from coscrew_codegen.scene.effect import ParameterOf
 from coscrew_codegen.scene.formulas import PLACE, Formula, FormulaError
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.readers.scene_error import shown
+from coscrew_codegen.scene.readers.toml.tables.height_table import height_grid
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described
 from coscrew_codegen.scene.readers.toml.trajectories.trajectory_table import trajectory
 from coscrew_codegen.scene.scene import Setting
@@ -129,10 +130,12 @@ def _formula(table: TomlTable, parameter: ParameterOf, value: object) -> Fractio
 
 
 def _height(table: TomlTable, parameter: ParameterOf, value: object) -> Formula:
-    """A function of x and y."""
+    """A function of x and y, or a grid of heights."""
+    if isinstance(value, dict):
+        return height_grid(TomlTable(table.file, table.key(parameter.name), value))
     if not _is_text(value):
         table.refuse(parameter.name, f"{described(value)}; wanted a function of x and y, as "
-                                     f"{parameter.example}")
+                                     f"{parameter.example}, or {{ file = \"ground.csv\" }}")
     try:
         formula = Formula(value, of=PLACE)
     except FormulaError as error:

@@ -10,6 +10,7 @@ from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.toml import effect_settings
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
@@ -24,9 +25,11 @@ MANY = 5
 
 @dataclass
 class Use:
-    """Collects what effects take from the model while they are read, as (joint, field)."""
+    """Collects what effects take from the model while they are read, as (joint, field), and
+    notices of what they cannot take."""
 
     of_model: set[tuple[str, str]] = field(default_factory=set)
+    notices: list[Notice] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -68,7 +71,7 @@ class EffectTable:
     @property
     def sums(self) -> bool:
         """True if the effect can act on a weighted sum of coordinates."""
-        return self.effect.joint_torque is not None
+        return self.effect.on_sums
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -80,7 +83,7 @@ class EffectTable:
             return "has no mass" if self.effect.massive and on.inertia is None else ""
         effect, kind = self.effect, on.kind
         able = kind.moves if effect.reaction else kind.one_coordinate or effect.each and (
-            kind.has_rest if effect.rest else kind.moves)
+            kind.has_rest if effect.rest else kind.moves) or effect.by_angle and kind.by_angle
         return "" if able else f"is {kind.name}"
 
     @property
@@ -97,7 +100,7 @@ class EffectTable:
         of_model = any(x.model and given.get(x.name, x.default) == MODEL
                        for x in self.effect.parameters)
         return tuple(name for name, joint in self.targets.items() if of_model or not (
-            self.effect.each and joint and not joint.kind.one_coordinate))
+            (self.effect.each or self.effect.by_angle) and self._several(name)))
 
     def refuse_none(self) -> NoReturn:
         """Refuse an effect that can act on no joint or body of the model."""
@@ -175,9 +178,23 @@ class EffectTable:
                 table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
             return None
         self._refuse_descent(table, values)
+        self._refuse_no_angle(table, values, target)
         read -= self._without_needed(table, values, target, named)
         self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
         return values
+
+    def _refuse_no_angle(self, table: TomlTable, values: Mapping[str, Setting], target: str
+                         ) -> None:
+        """Refuse a range that no angle of a joint that turns about a point can have."""
+        if self.effect.by_angle and self.effect.ascending and self._several(target):
+            lower, upper = self.effect.ascending
+            if values[lower] is not None:
+                table.refuse(lower, f"joint {target!r} turns about a point: its angle is 0 or "
+                                    f"more; wanted {upper} alone")
+            end = values[upper]
+            if isinstance(end, Fraction) and end <= 0:
+                table.refuse(upper, f"{float(end):g} for joint {target!r}, which turns about a "
+                                    "point; wanted an angle above 0")
 
     def _without_needed(self, table: TomlTable, values: dict[str, Setting], target: str,
                         named: bool) -> set[tuple[str, str]]:

@@ -13,7 +13,7 @@ from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
-from coscrew_codegen.scene.readers.falling import ACCEPT
+from coscrew_codegen.scene.readers.omissions.falling import ACCEPT
 from coscrew_codegen.scene.recorded_quantities import STATES
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS
@@ -28,11 +28,11 @@ class Key:
 
     name: str
     words: str  # description with units
-    kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
-    # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), tolerances (by function), ranges (by joint), intervals (by name),
-    # interval (a number, or `table`), words (texts by name), effects; table
-    # and tables (by name) have `table`
+    kind: str = "text"  # text, texts, number, numbers, positive, nonnegative, vector (3 numbers),
+    # quaternion (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a
+    # list), expectations (by quantity), tolerances (by function), ranges (by joint), intervals (by
+    # name), interval (a number, or `table`), words (texts by name), effects; table and tables (by
+    # name) have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
     required: bool = False
@@ -96,8 +96,8 @@ _ARGUMENTS = Key("arguments", "of a model that is a file of xacro: values by nam
 _PACKAGES = Key("packages", "of a model that is a file of xacro: folders by the package's name, "
                 "for `$(find PACKAGE)`, seen from the scene", "words", default="searched beside "
                 "the file and above it")
-_LEAVE_OUT = Key("leave_out", "of a model that is a file of MuJoCo: groups of elements that the "
-                 "scene does without; errors name them", "texts", default="[]")
+_LEAVE_OUT = Key("leave_out", "of a model that is a file of MuJoCo or an SDF: groups of elements "
+                 "that the scene does without; errors name them", "texts", default="[]")
 
 OF_MODEL = (
     Key("prefix", "begins the names of its bodies, joints and effects here", default='"NAME_"'),
@@ -161,8 +161,9 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
     Key("child", "the body it moves", required=True),
     Key("origin", "its frame in the parent's", "table", table=ORIGIN),
     _axis(0), _axis(1),
-    Key("limits", "limits of its range, torque and speed", "table", table=LIMITS,
-        joints=_one_coordinate),
+    Key("limits", "limits of its range, torque and speed; of a spherical joint `upper`, the "
+        "largest angle by which it turns", "table", table=LIMITS,
+        joints=lambda kind: kind.one_coordinate or kind.by_angle),
     Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
         joints=_moves),
     Key("friction", "in N m or N; acts by [effects.coulomb] or [effects.stribeck]",
@@ -174,13 +175,17 @@ LOOP = TableOf("loops.NAME", "A closed loop: holds a point of one body to a poin
     Key("kind", "; ".join(f"{x.name}: {x.words}" for x in LOOP_KINDS.values()),
         choices=tuple(LOOP_KINDS), required=True),
     Key("bodies", "the first and the second body; of a `frame` also two of `frames`, which are "
-        "turned", "texts", required=True),
+        "turned; of all but a law", "texts"),
     Key("first", "the point in the first body's frame, in m", "vector", default="[0, 0, 0]"),
     Key("second", "the point in the second body's frame, in m", "vector", default="[0, 0, 0]"),
     Key("axis", "of a hinge: its axis in the first body's frame, of any length", "vector"),
     Key("axis2", "of a hinge: its axis in the second body's frame", "vector",
         default="the same numbers as `axis`"),
-    Key("length", "of a rod, in m", "positive")))
+    Key("length", "of a rod, in m", "positive"),
+    Key("joints", "of a law: weights of joints' coordinates, whose sum is s", "coordinates"),
+    Key("leaders", "of a law: weights of the coordinates whose sum is r", "coordinates",
+        default="none"),
+    Key("polynomial", "of a law: [c0, c1, …] of s = c0 + c1 r + c2 r² + …", "numbers")))
 
 
 def _by_kind(of: str) -> str:

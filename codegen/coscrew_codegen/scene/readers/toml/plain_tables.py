@@ -79,8 +79,14 @@ def _joint(joint: Joint) -> dict[str, object]:
 
 
 def _loop(loop: ClosedLoop) -> dict[str, object]:
-    """The keys of a loop whose frames are those of their bodies, as all that files have."""
-    first, second = loop.first, loop.second
+    """The keys of a loop whose frames are those of their bodies, and of a law of joints with one
+    coordinate, as all that files have."""
+    first, second, law = loop.first, loop.second, loop.law
+    if law:
+        joints, leaders = ({x.joint: _number(x.weight) for x in of}
+                           for of in (law.joints, law.leaders))
+        return {"kind": loop.kind.name, "joints": joints, **({"leaders": leaders} if leaders else {}
+                ), "polynomial": _numbers(law.polynomial)}
     table: dict[str, object] = {"kind": loop.kind.name, "bodies": list(loop.bodies)}
     table |= {key: _numbers(x.point) for key, x in (("first", first), ("second", second))
               if any(x.point)}

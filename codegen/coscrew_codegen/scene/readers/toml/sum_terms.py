@@ -1,8 +1,8 @@
 """Weighted sums of joints' coordinates: joints = { one = 1, other = -0.5, "base.2" = 3 }."""
 
+from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
-from coscrew_codegen.scene.scene import WeightedCoordinate
 
 
 def read_terms(table: TomlTable, model: Model) -> tuple[WeightedCoordinate, ...]:

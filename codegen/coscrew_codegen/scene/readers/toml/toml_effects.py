@@ -35,20 +35,23 @@ def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...]
             reading = EffectTable(effect, effects.table(effect.name), model, use)
             applied += on_parts(reading) if effect.parts else readers[effect.place](reading)
     applied = completed(effects, model, applied)
-    _refuse_compensation(effects, model, applied)
+    _refuse_on_followers(effects, model, applied)
     return tuple(applied)
 
 
-def _refuse_compensation(effects: TomlTable, model: Model, effects_read: list[Applied]) -> None:
-    """Refuse to compensate gravity where there is none, and at joints that follow others."""
+def _refuse_on_followers(effects: TomlTable, model: Model, effects_read: list[Applied]) -> None:
+    """Refuse gears and compensation of gravity at joints that follow others; the latter also where
+    there is no gravity."""
     falls, follows = (any(getattr(x.effect, name) for x in effects_read)
                       for name in ("gravity", "mimic"))
     leaders = {j.name: j.mimic.joint for j in model.joints if j.mimic and follows}
     for applied in effects_read:
-        flag = applied.effect.compensates
+        flag, table = applied.effect.compensates, effects.table(applied.effect.name)
+        if applied.effect.elastic and applied.on in leaders:
+            table.refuse(applied.on, f"joint {applied.on!r} follows {leaders[applied.on]!r}, whose "
+                                     f"rotor drives both; wanted {applied.effect.name} there")
         if not flag or applied.values[flag] is None:
             continue
-        table = effects.table(applied.effect.name)
         if applied.terms:
             table.refuse(flag, f"{applied.name} acts on a sum of coordinates, which no torque "
                                f"holds; wanted no {flag} there")

@@ -125,8 +125,8 @@ def joint(name: str, table: TomlTable) -> Joint:
     place, (axis, axis2) = _placement(table), _axes(table, kind)
     damping, friction = (table.nonnegative(key) for key in ("damping", "friction"))
     if not kind.one_coordinate:
-        return Joint(name, kind, *ends, place, axis, axis2=axis2, damping=damping,
-                     friction=friction)
+        return Joint(name, kind, *ends, place, axis, upper=_largest_angle(table), axis2=axis2,
+                     damping=damping, friction=friction)
     return Joint(name, kind, *ends, place, axis,
                  *_limits(table.table("limits"), word in kind.unlimited),
                  damping=damping, friction=friction,
@@ -143,6 +143,14 @@ def _axes(table: TomlTable, kind: JointKind) -> tuple[Direction, Direction | Non
         table.refuse("axis2", f"makes an angle of {degrees(acos(cosine)):.9g}° with axis; wanted "
                      "90° within 1e-6 rad")
     return axes[0], axes[1]
+
+
+def _largest_angle(table: TomlTable) -> Fraction | None:
+    if "limits" not in table:
+        return None
+    limits = table.table("limits")
+    limits.only("upper")
+    return limits.positive("upper")
 
 
 def _limits(table: TomlTable, continuous: bool) -> Limits:

@@ -1,6 +1,6 @@
 """Scene files: reads a TOML file, or a model's file alone, as a Scene."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -8,7 +8,7 @@ from pathlib import Path
 from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter
 from coscrew_codegen.scene.effect import Effect
-from coscrew_codegen.scene.effect_quantities import states_of, why_not_moved
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
@@ -18,10 +18,11 @@ from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
-from coscrew_codegen.scene.readers.falling import ACCEPT, falling
-from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
+from coscrew_codegen.scene.readers.omissions.falling import ACCEPT, falling
+from coscrew_codegen.scene.readers.omissions.idle import idle
+from coscrew_codegen.scene.readers.omissions.unused import besides, unused
 from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.toml.effect_table import Use
@@ -39,7 +40,6 @@ from coscrew_codegen.scene.readers.toml.tables.ranges_table import limits_in_ran
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
-from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
 from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
@@ -101,9 +101,16 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
     acting = read_effects(tables, model, effects, Use())
     wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
     comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
-                *(x.text for x in besides(model, acting)))
+                *(x.text for x in besides(model, acting)), *_unwritten(path, model))
     return scene_text(file.text("name"), model, file.texts("runtime", ()), tables.values,
                       file.table("start").table("q").values, comments)
+
+
+def _unwritten(path: Path, model: Model) -> Iterator[str]:
+    """The comment on collision shapes, which have no tables."""
+    if count := len(model.collisions):
+        shapes = f"{count} collision shape{'s are' if count > 1 else ' is'}"
+        yield f'{shapes} not written: a scene with model = "{path.name}" has them'
 
 
 def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides
@@ -163,7 +170,6 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")))
-    _refuse_integrator(file.table("run"), scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
     outputs.only(*OUTPUTS.names)
@@ -194,7 +200,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     _refuse_without_ranges(file, tiers)
     scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
                     tiers=tiers,
-                    notices=(*_falling(file, model, effects), *idle(effects), *notices))
+                    notices=(*_falling(file, model, effects), *idle(effects), *use.notices,
+                             *notices))
     if "ranges" in file:
         scene = replace(scene, ranges=read_ranges(file, scene))
     return _selecting(scene, functions)
@@ -323,12 +330,6 @@ def _run(table: TomlTable) -> Run:
     if step > duration:
         table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
     return Run(duration, table.choice("integrator", NAMES, run.integrator), step, rtol, atol)
-
-
-def _refuse_integrator(table: TomlTable, scene: Scene) -> None:
-    """Refuse an integrator that leaves the states of effects where they are."""
-    if problem := why_not_moved(scene, scene.run.integrator):
-        table.refuse("integrator", problem)
 
 
 def _expectations(file: TomlTable, scene: Scene) -> tuple[Expectation, ...]:

@@ -16,13 +16,11 @@ from coscrew_codegen.algebra.recording.numbers import Number, maximum, minimum, 
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.effect import BodyContact
+from coscrew_codegen.scene.functions.steps.step_parts import MOST_OF_CONTACTS
 
 FINE = 8
 """A step is split into parts of length s such that ω s <= 1/FINE; then a bounce loses at most 0.2 %
 of its energy by the steps."""
-MOST = 64
-"""Largest number of parts for contacts of bodies: where more would be needed, bounces lose speed,
-but the implicit step stays stable."""
 _LEAST = Fraction(1, 10**30)
 
 
@@ -31,8 +29,19 @@ class Touching:
     """A contact of a body."""
 
     x: FunctionRecording
-    link: int
+    links: tuple[int, ...]
     contact: BodyContact
+
+    @property
+    def link(self) -> int:
+        """The first link that moves."""
+        return next(k for k in self.links if k >= 0)
+
+    @property
+    def mass(self) -> Number:
+        """The mass of the link, or the reduced mass of two links."""
+        first, *others = [maximum(self.x.rigids[k].m, _LEAST) for k in self.links if k >= 0]
+        return first if not others else first * others[0] / (first + others[0])
 
     def part(self) -> AbstractContextManager[None]:
         """Names instructions after the body's link."""
@@ -48,15 +57,15 @@ class Touching:
         return maximum(-gap, 0) + maximum(-(gap + h * rise), 0)
 
     def fifth_power(self, number: Number) -> Number:
-        """(FINE h ω)^5, at most MOST^5, of one of `number` contacts."""
+        """(FINE h ω)^5, at most MOST_OF_CONTACTS^5, of one of `number` contacts."""
         h, = self.x.recorder.argument("h")
-        k, m = self.contact.k, maximum(self.x.rigids[self.link].m, _LEAST)
+        k, m = self.contact.k, self.mass
         hertz = _hertz(maximum(-self.contact.gap, 0))
         rise = self.contact.rise * self.contact.rise * m * Fraction(5, 4) / k
         bouncing = rise + maximum(hertz - _hertz(self.contact.resting * 2), 0)
         rate = h * h * k / m * number * Fraction(3 * FINE**2, 2) * bouncing
         share = rate / maximum(hertz + rise, _LEAST)
-        return minimum(share * share * sqrt(rate), MOST**5)
+        return minimum(share * share * sqrt(rate), MOST_OF_CONTACTS**5)
 
 
 def _hertz(depth: Number) -> Number:
@@ -66,9 +75,11 @@ def _hertz(depth: Number) -> Number:
 
 def touching(x: FunctionRecording) -> Iterator[Touching]:
     """The contacts of bodies."""
-    own = [y for y in x.scene.effects if y.effect.parts or y.effect.ground]
+    own = [y for y in x.scene.effects if y.effect.parts or y.effect.ground or y.effect.bodies_force]
     acting = AppliedEffects(replace(x.scene, effects=tuple(own)), x.motion(accelerating=False))
-    for link, forces in sorted(acting.act().forces.items()):
+    for touch in acting.act().touches:
+        yield Touching(x, tuple(state.link for state in touch.states), touch.between.law.contact)
+    for link, forces in sorted(acting.forces.items()):
         for force in forces:
             if force.force.contact:
-                yield Touching(x, link, force.force.contact)
+                yield Touching(x, (link,), force.force.contact)

@@ -3,7 +3,8 @@
 The state is y = (q; v), with q' = v for angles and lengths and r' = r (ω; 0) / 2 for quaternions.
 The solver keeps |r| within its tolerance only, so r is normalized before the dynamics use it, and
 in samples.  Where loops are closed, the state after each step, and each sample, is moved onto the
-closures."""
+closures.  States of effects are put within their bounds after each step; where an effect begins to
+follow another part of its law, a step ends, and the solver begins anew."""
 
 from collections.abc import Callable, Iterator
 
@@ -11,12 +12,16 @@ import numpy as np
 import scipy.integrate
 from scipy.integrate import OdeSolver
 
-from coscrew_codegen.scene.function_selection import CLOSED
+from coscrew_codegen.scene.effect import required
+from coscrew_codegen.scene.function_selection import CLOSED, STATE_RATES, SWITCHES
 from coscrew_codegen.scene.integrators import ADAPTIVE
 from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.plan import Plan
+from coscrew_codegen.simulation.solvers.events import Events
 from coscrew_codegen.simulation.system import State, System, Watch
 
+_OF_STATES = 1e-3  # a usual size of states of effects, in their units
+_SPACINGS = 16  # of times, within which events are found
 _PROJECTIONS = 2  # onto closures: steps of SciPy are long, and velocities follow coordinates
 Rates = Callable[[float, np.ndarray], np.ndarray]
 
@@ -25,36 +30,54 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
              watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
     """Yields (q, v, steps so far, "") at each sample after the first; instead of "" the place and
     reason if the run stopped early."""
-    rates, steps, sample = rates_of(system), 0, 1
-    scheme = ADAPTIVE[plan.integrator]
-    options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
-    y = np.concatenate((q, v)).astype(float)
+    steps, sample, begun = 0, 1, _beginning(system, plan, float(times[-1]))
+    events = Events(system, plan.rtol, plan.atol) if system.has(SWITCHES) else None
     with np.errstate(all="ignore"):
-        solver: OdeSolver = getattr(scipy.integrate, scheme.solver)(
-            rates, 0.0, y, float(times[-1]), rtol=plan.rtol, atol=plan.atol, **options)
+        solver = begun(0.0, np.concatenate((q, v)).astype(float))
         while sample < len(times):
             if failed := _step(solver):
                 yield q, v, steps, f"{failed} at t = {solver.t:.9g} s: {_trouble(system, solver)}"
                 return
             steps += 1
+            before = required(solver.t_old)
+            needed = events or times[sample] < solver.t
+            interpolant = solver.dense_output() if needed else None
+            event = events.first(interpolant, before, solver.t, _least(solver)) \
+                if events and interpolant else None
+            if event is not None and interpolant:
+                solver = begun(event, interpolant(event))
             _close(system, solver)
             if watch and solver.t < times[sample]:
-                watch(solver.t, *_state(system, solver.y))
-            interpolant = solver.dense_output() if times[sample] < solver.t else None
+                watch(solver.t, *_state(system, solver.t, solver.y))
             while sample < len(times) and times[sample] <= solver.t:
                 y = interpolant(times[sample]) if interpolant and times[sample] < solver.t \
                     else solver.y
-                q, v = _state(system, y)
+                q, v = _state(system, times[sample], y)
                 yield q, v, steps, ""
                 sample += 1
 
 
-def _state(system: System, y: np.ndarray) -> State:
+def _beginning(system: System, plan: Plan, end: float) -> Callable[[float, np.ndarray], OdeSolver]:
+    """(t, y) -> the plan's solver, at this state."""
+    rates, scheme = rates_of(system), ADAPTIVE[plan.integrator]
+    options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
+    solver = getattr(scipy.integrate, scheme.solver)
+    return lambda t, y: solver(rates, t, y, end, rtol=plan.rtol, atol=plan.atol, **options)
+
+
+def _least(solver: OdeSolver) -> float:
+    """Width of the interval to which the time of an event is narrowed."""
+    return _SPACINGS * float(np.spacing(max(abs(solver.t), abs(solver.step_size or 0.0))))
+
+
+def _state(system: System, t: float, y: np.ndarray) -> State:
     """q and v of y, in the system's precision."""
     nq = system.functions.nq
     q, v = system.normalized(y[:nq]).astype(system.dtype), y[nq:].astype(system.dtype)
     for _ in range(_PROJECTIONS if system.has(CLOSED) else 0):
         q, v = system.outputs(CLOSED, q=q, v=v)
+    if system.has(STATE_RATES):
+        q = system.outputs(STATE_RATES, t=t, q=q, v=v)[1]
     return q, v
 
 
@@ -65,8 +88,12 @@ def rates_of(system: System) -> Rates:
 
     def rates(t: float, y: np.ndarray) -> np.ndarray:
         q, v = system.normalized(y[..., :nq]), y[..., nq:]
+        moved = _q_rates(system, y[..., :nq], q, v)
+        if system.has(STATE_RATES):
+            x_rates, q = system.outputs(STATE_RATES, t=t, q=q, v=v)
+            moved[..., nq - x_rates.shape[-1]:] = x_rates
         a = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
-        return np.concatenate((_q_rates(system, y[..., :nq], q, v), a), -1)
+        return np.concatenate((moved, a), -1)
 
     return rates
 
@@ -83,11 +110,13 @@ def jacobian_of(system: System, rates: Rates) -> Rates:
     """(t, y) -> ∂y'/∂y by central differences, all in one call.
 
     Their steps suit the precision of the dynamics: SciPy's steps, made for double, would give only
-    noise in single."""
-    step = float(np.cbrt(np.finfo(system.dtype).eps))
+    noise in single.  Bristles yield by less than a millimetre."""
+    step, nq = float(np.cbrt(np.finfo(system.dtype).eps)), system.functions.nq
+    scale = np.ones(nq + system.functions.nv)
+    scale[nq - len(system.functions.states):nq] = _OF_STATES
 
     def jacobian(t: float, y: np.ndarray) -> np.ndarray:
-        moved = np.diag(step * np.maximum(1, np.abs(y)))
+        moved = np.diag(step * np.maximum(scale, np.abs(y)))
         above, below = y + moved, y - moved
         size = np.diag(above - below)
         return ((rates(t, above) - rates(t, below)) / size[:, None]).T
@@ -105,9 +134,10 @@ def _step(solver: OdeSolver) -> str:
 
 
 def _close(system: System, solver: OdeSolver) -> None:
-    """Moves the state that a step has reached onto the closures of loops."""
-    if system.has(CLOSED) and np.isfinite(solver.y).all():
-        solver.y = np.concatenate(_state(system, solver.y)).astype(float)
+    """Moves the state that a step has reached onto the closures of loops, and states of effects
+    within their bounds."""
+    if (system.has(CLOSED) or system.has(STATE_RATES)) and np.isfinite(solver.y).all():
+        solver.y = np.concatenate(_state(system, solver.t, solver.y)).astype(float)
         solver.f = solver.fun(solver.t, solver.y)
 
 

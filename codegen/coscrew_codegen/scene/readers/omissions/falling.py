@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
+from coscrew_codegen.scene.contacts.touching_parts import touches
 from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Model
 from coscrew_codegen.scene.mechanism.notices import FALLING, Notice
 from coscrew_codegen.scene.scene import Applied, zero
@@ -23,7 +24,8 @@ def falling(model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
         ends = {bases[body] for body in loop.bodies}
         held |= ends if len(ends) > 1 else set()
     fall = [x for x in model.joints if x.name in bases.values() and x.name not in held]
-    return (Notice(FALLING, f"joint {fall[0].name}", _line(fall)),) if fall else ()
+    shaped = any(touches(x) and bases[x.body] in (y.name for y in fall) for x in model.collisions)
+    return (Notice(FALLING, f"joint {fall[0].name}", _line(fall, shaped)),) if fall else ()
 
 
 def _bases(model: Model) -> dict[str, str]:
@@ -39,16 +41,17 @@ def _pushed(applied: Applied, bases: Mapping[str, str]) -> Iterator[str]:
     """The free joints of the trees on which an effect acts from outside."""
     if applied.effect.body_force:
         yield bases[applied.on]
-    elif applied.effect.pair_force:
+    elif applied.effect.pair_force or applied.effect.bodies_force:
         ends = {bases[body] for body in applied.bodies}
         yield from ends if len(ends) > 1 else ()
     elif applied.effect.joint_torque:
         yield from (applied.on, *(term.joint for term in applied.terms))
 
 
-def _line(fall: list[Joint]) -> str:
+def _line(fall: list[Joint], shaped: bool) -> str:
     names = ", ".join(joint.child for joint in fall[:3]) + (", …" if len(fall) > 3 else "")
     one = len(fall) == 1
     bodies = f"body {names}: it falls" if one else f"{len(fall)} free bodies ({names}): they fall"
-    return (f"nothing holds {bodies}; write an effect that does, as [effects.contact.LABEL] or "
+    contact = "[effects.contact] with mu" if shaped else "[effects.contact.LABEL]"
+    return (f"nothing holds {bodies}; write an effect that does, as {contact} or "
             '[effects.wrench.LABEL], base = "fixed", or falling = "accept" where that is meant')

@@ -24,6 +24,10 @@ from coscrew_codegen.scene.readers.urdf.xml import SIZE
 _ONE_AT_A_TIME = Lock()  # xacro keeps the state of a run in its modules
 
 
+class _NoPackage(LookupError):
+    """A package whose folder nobody knows; xacro repeats its message in errors of its own."""
+
+
 class _Arguments(dict[str, str]):
     """The arguments given to a file; `wanted` collects the names for which it looks."""
 
@@ -75,7 +79,10 @@ def expanded(source: ModelSource) -> tuple[str, list[str]]:
 
 def _in_words(error: Exception, arguments: _Arguments) -> str:
     """xacro's message on one line, with a remedy if an argument is missing."""
-    line = " ".join(str(error).split()) or type(error).__name__
+    cause: BaseException | None = error
+    while cause and not isinstance(cause, _NoPackage):
+        cause = cause.__cause__ or cause.__context__
+    line = " ".join(str(cause or error).split()) or type(error).__name__
     line = re.sub(r"^<class '[\w.]+'>: ", "", line)  # of an error inside of an expression
     missing = re.fullmatch(r"Undefined substitution argument (.+?)( when .*)?", line)
     if not missing:
@@ -100,12 +107,12 @@ def _finding(find: Callable[[str], str]) -> Iterator[None]:
 
 
 def _finder(source: ModelSource) -> Callable[[str], str]:
-    """A function from a package's name to its folder.  Raises LookupError if there is none."""
+    """A function from a package's name to its folder.  Raises _NoPackage if there is none."""
     def find(name: str) -> str:
         for folder in folders_of(name, source):
             return str(folder)
-        raise LookupError(f"package {name!r} is not beside the file or above it; wanted --package "
-                          f"{name}=FOLDER, or packages = {{ {name} = \"FOLDER\" }} in the scene")
+        raise _NoPackage(f"package {name!r} is not beside the file or above it; wanted --package "
+                         f"{name}=FOLDER, or packages = {{ {name} = \"FOLDER\" }} in the scene")
     return find
 
 

@@ -1,0 +1,146 @@
+"""Forces that effects exert on bodies and between them, and torques on sums of coordinates."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.algebra.recording.numbers import Number, Vector, negative, scaled
+from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
+from coscrew_codegen.dynamics.forces.linearization import JointEffect
+from coscrew_codegen.scene.effect import Between, Force, PointSlopes, Slopes, Torque, required
+
+
+@dataclass(frozen=True)
+class AppliedForce:
+    """A force on a body."""
+
+    state: BodyOfLink
+    force: Force
+
+    @property
+    def wrench(self) -> tuple[Number, ...]:
+        """(f; τ) at the point, in the body's frame."""
+        return (*required(self.force.force), *(self.force.moment or self.state.motion.zero))
+
+    @property
+    def on_link(self) -> tuple[Number, ...]:
+        """[Ad]* c: force and moment about the link's origin, in its frame."""
+        frame = self.state.frame(required(self.force.point))
+        return self.state.t.recorder.call("product_CoAdc", frame, self.wrench)
+
+    @property
+    def point_in_link(self) -> Vector:
+        """The point at which it acts, in the link's frame."""
+        return self.state.in_link(required(self.force.point))
+
+    @property
+    def across(self) -> Slopes:
+        """Its slopes across their direction, or in all directions if they have none."""
+        slopes = self.force.slopes
+        return slopes.across if isinstance(slopes, PointSlopes) else required(slopes)
+
+    @property
+    def along(self) -> tuple[Slopes, tuple[Number, ...]] | None:
+        """Its slopes along a direction, and the wrench on the link of 1 N along it; None if they
+        are the same in all directions."""
+        slopes = self.force.slopes
+        if not isinstance(slopes, PointSlopes):
+            return None
+        unit = Force(self.force.point, slopes.direction)
+        return slopes.along, AppliedForce(self.state, unit).on_link
+
+    @property
+    def normal(self) -> Vector | None:
+        """The direction along which it has slopes of their own, in the body's frame."""
+        slopes = self.force.slopes
+        return slopes.direction if isinstance(slopes, PointSlopes) else None
+
+    @property
+    def turning(self) -> tuple[PointSlopes, tuple[Number, ...]] | None:
+        """The slopes of its moment, and the wrench on the link of 1 N m along their direction."""
+        slopes = self.force.turning
+        if slopes is None:
+            return None
+        unit = Force(required(self.force.point), self.state.motion.zero, slopes.direction)
+        return slopes, AppliedForce(self.state, unit).on_link
+
+    def power(self) -> Number:
+        """f·v + τ·ω."""
+        return self.state.t.recorder.call("dot_cs", self.wrench,
+                                          self.state.twist(required(self.force.point)))[0]
+
+
+CLOSEST = Fraction(1, 10**12)
+"""m: where two points are closer, the direction from one to the other fades to zero."""
+
+
+@dataclass(frozen=True)
+class Paired:
+    """A force between two points, along the line from the first to the second."""
+
+    states: tuple[BodyOfLink, BodyOfLink]
+    points: tuple[Vector, Vector]
+    direction: Vector  # of length 1, in the world's frame
+    along: JointEffect
+
+    @property
+    def forces(self) -> tuple[Force, Force]:
+        """The forces on both bodies; energy and power are counted with the first."""
+        torque = self.along.torque
+        size = required(torque.torque)
+        pull = scaled(-size, self.direction)
+        first, second = self.states
+        power = own_power(torque, lambda: size * self.along.at.v)
+        zero = pull[0].like(0)
+        return (Force(self.points[0], first.own_direction(pull), energy=torque.energy,
+                      power=zero.like(power)),
+                Force(self.points[1], second.own_direction(negative(pull)), power=zero))
+
+    @property
+    def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
+        """(link, wrench on it) for forces of 1 N that separate the points."""
+        first, second = self.states
+        u = self.direction
+        forces = (Force(self.points[0], first.own_direction(negative(u))),
+                  Force(self.points[1], second.own_direction(u)))
+        return [(state.link, AppliedForce(state, force).on_link)
+                for state, force in zip(self.states, forces, strict=True)]
+
+
+@dataclass(frozen=True)
+class Touch:
+    """A contact of two bodies."""
+
+    states: tuple[BodyOfLink, BodyOfLink]
+    between: Between
+
+    @property
+    def forces(self) -> tuple[Force, Force]:
+        """The forces on both bodies; energy and power are counted with the first."""
+        (here, there), law = self.between.places, self.between.law
+        first, second = self.states
+        return (Force(here, first.own_direction(law.force), energy=law.energy, power=law.power),
+                Force(there, second.own_direction(negative(law.force)), power=law.power.like(0)))
+
+    def unit_wrenches(self, direction: Vector) -> list[tuple[int, tuple[Number, ...]]]:
+        """(link, wrench on it) for forces of 1 N along a direction on the first, against it on the
+        second."""
+        return [(state.link, AppliedForce(state, Force(place, state.own_direction(x))).on_link)
+                for state, place, x in zip(self.states, self.between.places, (
+                    direction, negative(direction)), strict=True)]
+
+
+@dataclass(frozen=True)
+class Summed:
+    """An effect on a weighted sum of coordinates, or on an angle; its torque acts on each velocity
+    by the weight."""
+
+    weights: Mapping[int, Number | Fraction]  # by velocity
+    along: JointEffect
+
+
+def own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
+    """The power of the part without potential energy; `whole` computes that of the whole."""
+    if x.power is not None:
+        return x.power
+    return whole() if x.energy is None else 0

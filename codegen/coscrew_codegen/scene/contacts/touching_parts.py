@@ -1,0 +1,85 @@
+"""Parts of bodies that touch: a capsule's ends, a box's corners, a cylinder's rims; of shapes that
+scenes give, and of those of a model's file."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import product
+from math import isqrt
+from math import sqrt as root_of
+
+from coscrew_codegen.scene.effect import Given
+from coscrew_codegen.scene.mechanism.collision import Collision
+from coscrew_codegen.scene.mechanism.rotations import Entries
+
+SHAPE_KEYS = ("shape", "point", "radius", "axis", "length", "size")
+"""The values that say what touches; a contact without any of them takes its body's shapes from the
+model's file."""
+SHAPES = ("sphere", "capsule", "box", "cylinder")
+"""Shapes of a model's file that can touch."""
+_SIGNS = (-1, 1)
+_Offsets = list[tuple[Fraction, ...]]
+
+
+def touches(shape: Collision) -> bool:
+    """Returns whether it is a shape of a model's file that can touch."""
+    return shape.shape in SHAPES and not shape.problem
+
+
+def parts(values: Given) -> Sequence[Given]:
+    """The contacts of a shape: a capsule's ends, a box's corners."""
+    centre = _numbers(values["point"])
+    if values["shape"] == "box":
+        return _moved(values, {"shape": "point", "size": None}, centre,
+                      _corners(_numbers(values["size"])))
+    if values["shape"] == "capsule":
+        axis, half = _numbers(values["axis"]), Fraction(str(values["length"])) / 2
+        long = root(sum((x * x for x in axis), Fraction(0)))
+        return _moved(values, {"shape": "sphere", "axis": None, "length": None}, centre,
+                      [tuple(sign * half * x / long for x in axis) for sign in _SIGNS])
+    return (values,)
+
+
+def parts_of(values: Given, shape: Collision) -> Sequence[Given]:
+    """The contacts of a shape of the model's file, one of SHAPES: as for shapes that are given; of
+    a cylinder two discs."""
+    if shape.shape == "sphere":
+        return _moved(values, {"shape": "sphere", "radius": shape.size[0]}, shape.t, [(0, 0, 0)])
+    if shape.shape == "box":
+        return _moved(values, {}, shape.t, [_turned(shape.R, x) for x in _corners(shape.size)])
+    radius, length = shape.size
+    axis = _turned(shape.R, (Fraction(0), Fraction(0), Fraction(1)))
+    own: Given = {"shape": "sphere", "radius": radius}
+    if shape.shape == "cylinder":
+        own = {"shape": "disc", "radius": radius, "axis": axis}
+    return _moved(values, own, shape.t, [tuple(sign * length / 2 * x for x in axis)
+                                         for sign in _SIGNS])
+
+
+def _moved(values: Given, own: Given, centre: Sequence[Fraction],
+           offsets: Sequence[Sequence[Fraction | int]]) -> list[Given]:
+    """The values with their own of one part at each place."""
+    return [{**values, **own, "point": tuple(a + b for a, b in zip(centre, x, strict=True))}
+            for x in offsets]
+
+
+def _corners(size: Sequence[Fraction]) -> _Offsets:
+    """The corners of a box of these edges about its centre."""
+    return [tuple(sign * edge / 2 for sign, edge in zip(signs, size, strict=True))
+            for signs in product(_SIGNS, repeat=3)]
+
+
+def _turned(R: Entries, x: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    """R x, of a rotation row by row."""
+    return tuple(sum((R[3 * i + j] * x[j] for j in range(3)), Fraction(0)) for i in range(3))
+
+
+def _numbers(given: object) -> tuple[Fraction, ...]:
+    """The numbers of a vector."""
+    return tuple(x for x in given if isinstance(x, Fraction)) if isinstance(given, tuple) else ()
+
+
+def root(square: Fraction) -> Fraction:
+    """Its square root: exact if it is a fraction's square."""
+    above, below = isqrt(square.numerator), isqrt(square.denominator)
+    exact = Fraction(above, below)
+    return exact if exact * exact == square else Fraction(repr(root_of(float(square))))

@@ -1,0 +1,11 @@
+"""States of effects after a step of the Euler methods."""
+
+from dataclasses import replace
+
+from coscrew_codegen.scene.functions.steps.state_rates import lacks
+from coscrew_codegen.scene.scene_function import Depends, Q, SceneFunction
+
+FUNCTION = SceneFunction(
+    "moved_states", 153, "qo = q with the states x of effects after h at the velocities v, within "
+    "their bounds", "h q v", (replace(Q, name="qo"),), lambda x: [x.moved_states()],
+    Depends.EFFECTS, internal=True, lacks=lacks)

@@ -1,0 +1,26 @@
+"""All contacts of bodies at once: where they are, what they exert, and how deep they are."""
+
+from coscrew_codegen.scene.scene_function import (
+    Array,
+    AxisLength,
+    Depends,
+    SceneFunction,
+    Situation,
+)
+
+
+def lacks(its: Situation) -> str:
+    """Says why a scene has no contacts."""
+    return "" if any(x.effect.parts or x.effect.bodies_force for x in its.scene.effects) else \
+        "nothing touches anything"
+
+
+_N = AxisLength.CONTACTS
+FUNCTION = SceneFunction(
+    "contacts", 86, "point, force, depth, share: of each contact, in the order of the scene's "
+    "effects; the force on its body, of two the first", "q v",
+    (Array("point", (_N, 3), ("m",), "in m, in the world's frame"),
+     Array("force", (_N, 3), ("N",), "in N, in the world's frame"),
+     Array("depth", (_N,), ("1",), "over that at rest"),
+     Array("share", (_N,), ("1",), "of mu N that friction takes: 1 where it slips")),
+    lambda x: x.contacts(), Depends.EFFECTS, lacks=lacks)

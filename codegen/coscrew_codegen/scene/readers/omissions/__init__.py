@@ -1,0 +1,1 @@
+"""Notices of what a scene lacks: numbers that nothing uses, idle effects, bodies that fall."""

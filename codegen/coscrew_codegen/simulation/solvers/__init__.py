@@ -1,0 +1,1 @@
+"""Integration by solvers that choose their steps, and the events at which these end."""

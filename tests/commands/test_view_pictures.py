@@ -1,0 +1,85 @@
+"""Pictures of the playback pages of the examples, on a desktop and on a phone, light and dark: kept
+in build/pictures, as the report of this test."""
+
+import base64
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from coscrew_codegen.__main__ import main
+from tests.support.browser import chromium, resize
+from tests.support.playback_page import SECONDS, opened
+
+ROOT = Path(__file__).parents[2]
+PICTURES = ROOT / "build/pictures"
+DESKTOP, PHONE = (1280, 900), (390, 844)  # pixels
+SHOWN = {"pendulum": 0.2, "arm6": 0.6, "landing": 0.12, "bouncing_ball": 0.6, "four_bars": 0.5}
+"""Shares of the runs of examples at which the pictures are taken."""
+DRAWN = """
+    const [share, done] = arguments;
+    requestAnimationFrame(() => requestAnimationFrame(() => {  // the page has its size
+      const before = player.drawn;
+      player.clock.seek(player.clock.end * share);
+      const wait = () => player.drawn > before ? done() : setTimeout(wait, 20);
+      wait();
+    }));"""
+"""Draws the page at a share of the run."""
+MIDDLE = """
+    const { stage, space } = player, pictures = [];
+    stage.ratio = .25;  // software draws slowly
+    stage.resize();
+    for (const visible of [true, false]) {
+      space.visible = visible;
+      stage.render();
+      pictures.push(stage.canvas.toDataURL("image/png"));
+    }
+    space.visible = true;
+    stage.adapt(null);  // sharp again
+    return pictures;"""
+"""Coarse pictures with the robot, and without it."""
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """The folder with the page of each example."""
+    folder = tmp_path_factory.mktemp("pictures")
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    for name in SHOWN:
+        assert main(["simulate", str(ROOT / f"examples/scenes/{name}.toml"), "--precision",
+                     "double", "--view", str(folder / f"{name}.html")]) == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with chromium() as driver:
+        driver.set_script_timeout(SECONDS)
+        yield driver
+
+
+def pixels(text: str) -> np.ndarray:
+    """The middle half of a picture, either way."""
+    image = np.asarray(Image.open(io.BytesIO(base64.b64decode(text.partition(",")[2]))), int)
+    height, width = image.shape[:2]
+    return image[height // 4:3 * height // 4, width // 4:3 * width // 4, :3]
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_the_robot_is_seen_in_the_picture_of_each_example(pages, browser, name):
+    """1.5 % of the middle differ from the bare ground: a pendulum is thin.  The page fits its
+    window, and nothing is on the console."""
+    shown = opened(browser, pages, name, *DESKTOP)
+    for (width, height), theme in ((DESKTOP, "light"), (PHONE, "dark")):
+        shown.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": theme}]})
+        resize(shown, width, height)
+        shown.execute_async_script(DRAWN, SHOWN[name])
+        shown.save_screenshot(str(PICTURES / f"{name}_{width}_{theme}.png"))
+        with_robot, without = map(pixels, shown.execute_script(MIDDLE))
+        seen = (np.abs(with_robot - without).max(-1) > 8).mean()
+        assert seen > 0.015, width
+        assert shown.execute_script("return document.documentElement.scrollWidth;") <= width
+    assert shown.get_log("browser") == []

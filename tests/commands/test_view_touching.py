@@ -1,0 +1,191 @@
+"""What touches in a playback page: shapes of contacts, the ground, points of closed loops, and the
+arrows of their forces."""
+
+import math
+import zlib
+from base64 import b64decode
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.view import page_signals
+from coscrew_codegen.simulation.view.body_shapes import drawn
+from coscrew_codegen.simulation.view.ground_shape import ground_of
+from coscrew_codegen.simulation.view.page_block import NumberBlock
+from coscrew_codegen.simulation.view.page_text import page
+from tests.support.playback_data import PageData, run
+
+FREE = """
+[bodies.thing]
+mass = 1
+com = {com}
+inertia = [0.004, 0.004, 0.004]
+[joints.free]
+type = "free"
+child = "thing"
+[effects.gravity]
+[effects.contact.thing]
+{shape}
+mu = 0.5
+{ground}
+[start.q]
+free = [0, 0, 3, 0, 0, 0, 1]
+[outputs]
+record = ["q", "contact.*.force"]
+[run]
+duration = 0.02
+"""
+SHAPES = {
+    'shape = "sphere"\nradius = 0.1': ("sphere", (0.1,), (0, 0, 0), (0, 0, 1)),
+    'shape = "sphere"\nradius = 0.1\npoint = [0, 0, 0.05]': (
+        "sphere", (0.1,), (0, 0, 0.05), (0, 0, 1)),
+    'shape = "box"\nsize = [0.2, 0.3, 0.4]\npoint = [0.01, 0.02, 0.03]': (
+        "box", (0.2, 0.3, 0.4), (0.01, 0.02, 0.03), (0, 0, 1)),
+    'shape = "capsule"\nradius = 0.06\nlength = 0.5\naxis = [3, 0, 4]': (
+        "capsule", (0.06, 0.5), (0, 0, 0), (0.6, 0, 0.8)),
+    'shape = "disc"\nradius = 0.12\naxis = [0, 2, 0]': (
+        "cylinder", (0.12, 0.012), (0, 0, 0), (0, 1, 0))}
+
+
+def read(folder, shape: str, ground: str = "", com: str = "[0, 0, 0]") -> SimpleNamespace:
+    """The scene without functions, which drawings do not call."""
+    path = folder / "thing.toml"
+    path.write_text(FREE.format(shape=shape, ground=ground, com=com))
+    return SimpleNamespace(scene=read_scene(path), p=())
+
+
+def parts(folder, shape: str, **others: str):
+    """The visible parts of the body."""
+    return [x for x in drawn(read(folder, shape, **others)).parts if x.body == 0]
+
+
+def axis_of(place) -> tuple[float, ...]:
+    """The direction to which the place turns z."""
+    x, y, z, w = place[3:]
+    return 2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_a_body_is_drawn_as_the_shape_with_which_it_touches(tmp_path, shape):
+    kind, size, at, axis = SHAPES[shape]
+    (part,) = parts(tmp_path, shape)
+    assert part.shape == kind
+    assert part.size == pytest.approx(size)
+    assert part.place[:3] == pytest.approx(at, abs=1e-15)
+    assert axis_of(part.place) == pytest.approx(axis, abs=1e-15)
+
+
+@pytest.mark.parametrize("shape, com", (
+    ('shape = "sphere"\nradius = 0.1', "[0, 0, 0.2]"), ('shape = "point"', "[0, 0, 0]"),
+    ('shape = "capsule"\nradius = 0.06\nlength = 0.5', "[0.1, 0, 0]"),
+    ('shape = "box"\nsize = [0.2, 0.3, 0.4]', "[0, 0, 0.21]")))
+def test_where_no_shape_holds_the_mass_its_box_stays(tmp_path, shape, com):
+    """Beside the shape, and, as ever, a rod to a centre that is off the origin."""
+    every = parts(tmp_path, shape, com=com)
+    (box,) = (x for x in every if x.shape == "box" and x.size[0] == pytest.approx(
+        math.sqrt(0.024)))
+    assert box.place[:3] == pytest.approx([float(x) for x in com[1:-1].split(",")])
+    assert len([x for x in every if x.shape != "cylinder"]) == 2
+
+
+BALL = 'shape = "sphere"\nradius = 0.1'
+
+
+def ground(folder, text: str = "", shape: str = BALL):
+    """The ground in the page, of a body that goes from x = -1 to 3, and its heights."""
+    block, poses = NumberBlock(), np.zeros((2, 1, 7), np.float32)
+    poses[:, 0, 0] = -1, 3
+    data = ground_of(read(folder, shape, text), poses, block)
+    return data, np.frombuffer(zlib.decompress(b64decode(block.text)), np.uint8)
+
+
+def test_a_scene_with_contacts_has_its_ground(tmp_path):
+    """z = 0 unless it says otherwise; normals of norm 1."""
+    assert ground(tmp_path)[0] == {"normal": [0, 0, 1], "offset": 0}
+    assert ground(tmp_path, "[effects.ground]\nnormal = [3, 0, 4]\noffset = 0.5")[0] == {
+        "normal": [0.6, 0, 0.8], "offset": 0.5}
+
+
+def test_heights_are_those_of_the_formula(tmp_path):
+    data, block = ground(
+        tmp_path, '[effects.ground]\nheight = "0.3*sin(2*x)*max(y, 0.1) + 1"')
+    n, half = data["points"], data["half"]
+    assert (data["middle"], half) == ([1, 0], pytest.approx(5))
+    H = np.ascontiguousarray(block.reshape(4, n * n).T).view("<f4").reshape(n, n)
+    for i in (0, 7, n - 1):
+        for k in (0, 50, n - 1):
+            x, y = (c + half * (2 * j / (n - 1) - 1)
+                    for c, j in zip(data["middle"], (k, i), strict=True))
+            assert H[i, k] == pytest.approx(0.3 * math.sin(2 * x) * max(y, 0.1) + 1, rel=1e-6)
+
+
+def test_arrows_of_contacts_stand_where_they_touch(tmp_path):
+    names = [f"contact.thing.force.{i}" for i in range(3)]
+    system = read(tmp_path, BALL + "\npoint = [0, 0, -0.3]")
+    (arrow,) = page_signals.arrows(system, dict.fromkeys(names, np.zeros(2)))
+    assert (arrow["body"], arrow["point"], arrow["radius"]) == (0, [0, 0, -0.3], 0.1)
+    assert arrow["signals"] == names
+
+
+PAIR = """[bodies]
+left = { mass = 1, com = [0, 0, -1], inertia = [0.1, 0.1, 0.1] }
+right = { mass = 1, com = [0, 0, -1], inertia = [0.1, 0.1, 0.1] }
+beam = { mass = 1, com = [0.5, 0, 0], inertia = [0.1, 0.1, 0.1] }
+[joints]
+left = { type = "revolute", child = "left", axis = [0, 1, 0] }
+right = { type = "revolute", child = "right", axis = [0, 1, 0], origin.xyz = [1, 0, 0] }
+[joints.beam]
+type = "revolute"
+parent = "left"
+child = "beam"
+axis = [0, 1, 0]
+origin = { xyz = [0, 0, -2] }
+[loops.pin]
+kind = "point"
+bodies = ["beam", "right"]
+first = [1, 0, 0]
+second = [0, 0, -2]
+[effects.gravity]
+[outputs]
+record = ["q", "closing.pin"]
+[run]
+duration = 0.02
+"""
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory):
+    """A run of the pair, and the data of its page."""
+    path = tmp_path_factory.mktemp("pair") / "pair.toml"
+    (result,) = run(path, PAIR, precision="double")
+    return result, PageData(page([result]))
+
+
+def test_points_that_close_loops_are_drawn_with_their_force(pair):
+    result, data = pair
+    assert data.json["ground"] is None
+    beam, right = (next(n for n, x in enumerate(data.json["bodies"]) if x["name"] == name)
+                   for name in ("beam", "right"))
+    assert data.json["ties"] == [{"kind": "closure", "ends": [
+        {"body": beam, "point": [1, 0, 0]}, {"body": right, "point": [0, 0, -2]}]}]
+    (arrow,) = data.json["arrows"]
+    assert (arrow["body"], arrow["point"], arrow["turns"]) == (beam, [1, 0, 0], True)
+    assert arrow["signals"] == [f"closing.pin.{i}" for i in range(3)]
+    force = np.array([data.signal(x) for x in arrow["signals"]])
+    assert np.abs(force - [result.recorded[x] for x in arrow["signals"]]).max() < 1e-5
+    assert np.abs(force[2]).min() > 1  # it holds half of the beam
+    rods = [x.size[1] for x in drawn(result.system).parts
+            if x.shape == "cylinder" and x.body in (beam, right)]
+    assert any(x == pytest.approx(2) for x in rods)  # to the pin at the end of `right`
+
+
+def test_the_page_has_the_tree_of_bodies(pair):
+    data = pair[1].json
+    names = {-1: "world", **{n: x["name"] for n, x in enumerate(data["bodies"])}}
+    assert {(x["name"], x["kind"], names[x["parent"]], names[x["child"]], tuple(x["axis"]))
+            for x in data["joints"]} == {
+        ("left", "revolute", "world", "left", (0, 1, 0)),
+        ("right", "revolute", "world", "right", (0, 1, 0)),
+        ("beam", "revolute", "left", "beam", (0, 1, 0))}

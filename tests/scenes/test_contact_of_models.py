@@ -1,0 +1,145 @@
+"""Contacts of a model's file: bodies touch with the collision shapes that the file gives them."""
+
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coscrew
+from coscrew_codegen import run
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.scene import Applied, Scene
+
+INERTIAL = ('<inertial><mass value="1"/><inertia ixx="0.0025" iyy="0.0025" izz="0.005" ixy="0" '
+            'ixz="0" iyz="0"/></inertial>')
+SPHERE = '<sphere radius="0.1"/>'
+MESH = '<mesh filename="none.stl"/>'
+ALL = "[effects.contact]\nmu = 0.5\n"
+G, SLOPE = 9.81, math.radians(20)
+
+
+def scene(folder: Path, effects: str, **shapes: list[str]) -> Path:
+    """A scene of bodies "base" and others that turn on it, with these collision shapes."""
+    def collision(shape: str) -> str:
+        geometry, _, origin = shape.partition("|")
+        return f"<collision>{origin}<geometry>{geometry}</geometry></collision>"
+
+    links = [f'<link name="{name}">{INERTIAL}{"".join(map(collision, own))}</link>'
+             for name, own in shapes.items()]
+    joints = [f'<joint name="to_{name}" type="continuous"><parent link="base"/><child '
+              f'link="{name}"/><axis xyz="0 1 0"/></joint>' for name in shapes if name != "base"]
+    (folder / "thing.urdf").write_text(f'<robot name="thing">{"".join(links + joints)}</robot>')
+    path = folder / "thing.toml"
+    path.write_text(f'model = "thing.urdf"\nbase = "free"\n[effects.gravity]\n{effects}')
+    return path
+
+
+def contacts(of: Scene) -> list[Applied]:
+    return [x for x in of.effects if x.effect.name == "contact"]
+
+
+@pytest.mark.parametrize("shape, table", [
+    (SPHERE + '|<origin xyz="0.1 2 3"/>', 'shape = "sphere"\nradius = 0.1\npoint = [0.1, 2, 3]'),
+    ('<capsule radius="0.1" length="2"/>|<origin xyz="0 0 1"/>',
+     'shape = "capsule"\nradius = 0.1\nlength = 2\npoint = [0, 0, 1]'),
+    ('<box size="0.1 2 3"/>|<origin xyz="1 0 0"/>',
+     'shape = "box"\nsize = [0.1, 2, 3]\npoint = [1, 0, 0]')])
+def test_a_shape_of_the_file_is_that_of_a_table(tmp_path: Path, shape: str, table: str) -> None:
+    one = contacts(read_scene(scene(tmp_path, ALL, base=[shape])))
+    other = contacts(read_scene(scene(tmp_path, f"[effects.contact.base]\nmu = 0.5\n{table}\n",
+                                      base=[])))
+    assert [(x.name, x.values) for x in one] == [(x.name, x.values) for x in other]
+
+
+def test_places_of_shapes_turn_with_them(tmp_path: Path) -> None:
+    """A box's corners are R (±x, ±y, ±z)/2 + t; the rims of a cylinder along y stand at ±y."""
+    turned = '|<origin xyz="1 2 3" rpy="0.1 0.2 0.3"/>'
+    of = contacts(read_scene(scene(tmp_path, ALL, base=[
+        f'<box size="0.2 0.4 0.6"/>{turned}',
+        '<cylinder radius="0.1" length="0.5"/>|<origin rpy="1.5707963267948966 0 0"/>'])))
+    (cr, cp, cy), (sr, sp, sy) = ([f(x) for x in (0.1, 0.2, 0.3)] for f in (math.cos, math.sin))
+    R = (np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+         @ [[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]] @ [[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    wanted = [R @ (x, y, z) + (1, 2, 3) for x in (-.1, .1) for y in (-.2, .2) for z in (-.3, .3)]
+    corners, rims = of[:8], of[8:]
+    assert np.abs(np.array([[*map(float, x.vector("point"))] for x in corners])
+                  - wanted).max() < 1e-15
+    assert [x.values["point"] for x in rims] == [(0, Fraction(y, 4), 0) for y in (1, -1)]
+    assert {x.values["axis"] for x in rims} == {(0, -1, 0)}
+    assert {x.values["shape"] for x in corners} == {"point"}
+
+
+def test_a_cylinder_of_the_file_rolls_downhill_at_two_thirds(tmp_path: Path) -> None:
+    """I = m r²/2 about its axis, y: g sin α/(1 + 1/2)."""
+    path = scene(tmp_path, ALL, base=['<cylinder radius="0.1" length="0.3"/>'])
+    g = f"g = [{G * math.sin(SLOPE)!r}, 0, {-G * math.cos(SLOPE)!r}]\n"
+    lying = [0, 0, 0.099, -math.sqrt(0.5), 0, 0, math.sqrt(0.5)]
+    path.write_text(path.read_text().replace("[effects.gravity]\n", f"[effects.gravity]\n{g}")
+                    + f"[start.q]\nbase = {lying}\n")
+    result = run(path, until=1)
+    q, v = (np.asarray(x[-1], float) for x in (result.q, result.v))
+    along = coscrew.rotate_qv(q[3:7], v[:3])[0]
+    assert abs(along / (2 / 3 * G * math.sin(SLOPE)) - 1) < 1e-11
+
+
+def test_bodies_with_tables_of_their_own_have_those(tmp_path: Path) -> None:
+    of = contacts(read_scene(scene(
+        tmp_path, ALL + '[effects.contact.foot]\nmu = 1\nshape = "sphere"\nradius = 0.2\n',
+        base=[SPHERE], foot=[SPHERE], frame=[], hand=[SPHERE, SPHERE])))
+    assert [(x.name, float(x.values["radius"]), x.values["mu"]) for x in of] == [
+        ("contact.foot", 0.2, 1), ("contact.base", 0.1, Fraction(1, 2)),
+        ("contact.hand.0", 0.1, Fraction(1, 2)), ("contact.hand.1", 0.1, Fraction(1, 2))]
+
+
+def test_named_bodies_take_their_shapes(tmp_path: Path) -> None:
+    """In a table with a label too, also by patterns; one without shapes touches with its origin."""
+    text = '[effects.contact.feet]\nbodies = ["*_foot", "tip"]\nmu = 1\n'
+    of = contacts(read_scene(scene(tmp_path, text, base=[SPHERE], l_foot=[SPHERE],
+                                   r_foot=[SPHERE], tip=[])))
+    assert [(x.name, x.values["shape"]) for x in of] == [
+        ("contact.feet.l_foot", "sphere"), ("contact.feet.r_foot", "sphere"),
+        ("contact.feet.tip", "point")]
+
+
+def test_a_weight_rests_on_eight_contacts_at_most(tmp_path: Path) -> None:
+    box = '<box size="0.1 0.1 0.1"/>'
+    of = contacts(read_scene(scene(tmp_path, ALL, base=[box], one=[box], two=[SPHERE])))
+    assert len(of) == 17 and {x.values["load"] for x in of} == {3 * Fraction("9.81") / 8}
+
+
+@pytest.mark.parametrize("effects, shapes, words", [
+    (ALL, [MESH], r"effects.contact: no body that moves has collision shapes \(sphere, capsule, "
+                  r"box, cylinder\).*; wanted tables \[effects.contact.LABEL\]"),
+    ("[effects.contact.base]\nmu = 1\n", [MESH], "the mesh of body 'base' in the model's file "
+     "cannot touch; wanted a shape, as shape = \"sphere\""),
+    (ALL + "bodies = 3\n", [SPHERE], 'effects.contact.bodies: .*; wanted "all" or a list of names'),
+    (ALL + "radius = 1\n", [SPHERE], "radius: is for shape = 'sphere'"),
+    ("[effects.contact]\nmu = 1\nbodys = []\n", [SPHERE], "did you mean 'bodies'"),
+    ("[effects.contact]\n", [SPHERE], "is empty"),
+    ("[effects.contact]\nk = 3\n", [SPHERE], "mu: missing"),
+    (ALL + 'bodies = ["base"]\n[effects.contact.base]\nmu = 1\n', [SPHERE],
+     "two contacts are called contact.base; wanted other labels"),
+    (ALL + 'bodies = ["b??e_"]\n', [SPHERE], "matches nothing; wanted base")])
+def test_what_cannot_touch_is_refused(tmp_path: Path, effects: str, shapes: list[str], words: str
+                                      ) -> None:
+    with pytest.raises(SceneError, match=words):
+        read_scene(scene(tmp_path, effects, base=shapes))
+
+
+def test_shapes_that_cannot_touch_beside_others_are_noted(tmp_path: Path) -> None:
+    lines = read_scene(scene(tmp_path, ALL, base=[SPHERE, MESH], hand=[MESH])).unused
+    assert any(x == "the mesh of base cannot touch, other shapes there do; write "
+               "[effects.contact.base] with a shape for more" for x in lines)
+
+
+def test_the_notice_of_falling_proposes_the_shapes_of_the_file(tmp_path: Path) -> None:
+    """The table that it proposes holds the body."""
+    path = scene(tmp_path, "", base=[SPHERE])
+    (line,) = (x for x in read_scene(path).unused if "nothing holds" in x)
+    assert "as [effects.contact] with mu or" in line
+    path.write_text(path.read_text() + ALL + "[start.q]\nbase = [0, 0, 0.2, 0, 0, 0, 1]\n")
+    assert not any("nothing holds" in x for x in read_scene(path).unused)
+    assert 0.098 < run(path, until=2).q[-1, 2] < 0.1

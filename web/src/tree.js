@@ -1,0 +1,81 @@
+// The tree of bodies: names, masses, joints.  A click selects a body, a tick shows it.
+import { written } from "./plots.js";
+
+const $ = id => document.getElementById(id);
+
+export class Tree {
+  // `robots` are the robot and its ghosts.
+  constructor(recording, robots, changed) {
+    Object.assign(this, { recording, robots, changed, rows: [] });
+    $("bodies").append(this.branch(-1));
+    this.choose(null);
+  }
+
+  // The bodies that joints connect to a body (-1: the world).
+  branch(parent) {
+    const list = document.createElement("ul");
+    for (const joint of this.recording.joints.filter(x => x.parent === parent)) {
+      const row = document.createElement("li");
+      row.append(this.tick(joint.child), this.button(joint));
+      const below = this.branch(joint.child);
+      if (below.children.length) row.append(below);
+      list.append(row);
+    }
+    return list;
+  }
+
+  tick(body) {
+    const tick = document.createElement("input");
+    tick.type = "checkbox";
+    tick.checked = true;
+    tick.setAttribute("aria-label", `show ${this.recording.bodies[body].name}`);
+    tick.addEventListener("change", () => {
+      for (const robot of this.robots) robot.bodies[body].visible = tick.checked;
+      this.changed();
+    });
+    return tick;
+  }
+
+  button({ child, kind, name }) {
+    const button = document.createElement("button"), words = document.createElement("small");
+    button.type = "button";
+    words.textContent = joined(mass(this.recording.bodies[child]), `${kind} ${name}`);
+    button.append(this.recording.bodies[child].name, " ", words);
+    button.addEventListener("click", () => this.choose(this.chosen === child ? null : child));
+    this.rows[child] = button;
+    return button;
+  }
+
+  // Select a body, or none.
+  choose(body) {
+    this.chosen = this.robots[0].chosen = body;
+    this.rows.forEach((row, i) => row.setAttribute("aria-pressed", String(i === body)));
+    if (body !== null && !$("tree").hidden) this.rows[body].scrollIntoView({ block: "nearest" });
+    $("chosen").hidden = body === null;
+    this.robots[0].light();
+    this.changed();
+  }
+
+  // Say where the selected body is, and what its joint's coordinates are.
+  update() {
+    if (this.chosen === null) return;
+    const { bodies, joints, groups, main } = this.recording;
+    const joint = joints.find(x => x.child === this.chosen);
+    const { x, y, z } = this.robots[0].bodies[this.chosen].position;
+    const signals = groups.flatMap(group => group.signals).filter(({ name, run }) =>
+      run === 0 && (name === `q.${joint.name}` || name.startsWith(`q.${joint.name}.`)));
+    const q = signals.map(signal => written(main.value(signal.numbers)));
+    const place = `${bodies[this.chosen].name} at ${[x, y, z].map(written).join(", ")} m`;
+    $("chosen").textContent = joined(place, q.length && `q of ${joint.name} ${q.join(", ")}`);
+  }
+}
+
+const joined = (...parts) => parts.filter(x => x).join(" · ");
+
+const mass = body => body.mass ? `${Number(body.mass.toPrecision(4))} kg` : "";
+
+// What a body is, in a line.
+export function words(recording, number) {
+  const body = recording.bodies[number], joint = recording.joints.find(x => x.child === number);
+  return joined(body.name, mass(body), joint?.name);
+}
