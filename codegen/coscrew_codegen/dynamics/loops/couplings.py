@@ -60,10 +60,13 @@ class Coupling(Closure):
 
     @cached_property
     def rates(self) -> list[Number]:
-        """-P''(r) r'²."""
+        """-P''(r) r'², and E a of a motion that accelerates."""
         _, rate = sum_of(self.motion, required(self.loop.law).leaders)
         with self.part("g"):
-            return [-(self._polynomial[2] * (rate * rate))]
+            total = -(self._polynomial[2] * (rate * rate))
+            for x, a in zip(self.rows[0], self.motion.a, strict=True):
+                total = total + x * a
+            return [total]
 
     @cached_property
     def coscrews(self) -> list[Wrench]:
