@@ -13,6 +13,7 @@ from coscrew_codegen.scene.integrators import named
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
 from tests.scenes import test_differentiated_functions as differentiated
+from tests.scenes.test_laws_of_joints import CAM
 from tests.scenes.test_loop_rows import TAU, Closed, V
 from tests.support.scenes import closed_loops
 from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Evaluated
@@ -99,7 +100,8 @@ REPEATED = {"three points at once": (closed_loops.crank_rocker("point", 3),
             "a hinge in a plane": (closed_loops.crank_rocker("hinge"),
                                    ["0.502096581", "0.103283917", "1.53612081"]),
             "a weld": (closed_loops.beam(True),
-                       ["0.1", "-0.2", "0.5", "0.1", "0.4", "0", "0", "0", "1"])}
+                       ["0.1", "-0.2", "0.5", "0.1", "0.4", "0", "0", "0", "1"]),
+            "none, of a law of joints": (CAM, ["0.3", "0.2"])}
 
 
 @pytest.mark.parametrize("text, q", REPEATED.values(), ids=REPEATED)

@@ -10,7 +10,7 @@ second link in the first, V = (v; ω) the links' twists and A the rates of their
 The closure φ grows with E v: in m, or the tangent of half an angle, twice, so that it is zero at no
 angle but zero.  Velocities of joints that carry both links have exact zeros in E."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
@@ -129,18 +129,6 @@ class Closure:
         """E."""
         return [self.torques(H) for H in self.coscrews]
 
-    def total(self, multipliers: Mapping[int, Number]) -> Wrench:
-        """The wrench on the first link of the multipliers of rows."""
-        total: Wrench = (*self.motion.zero, *self.motion.zero)
-        with self.part("f"):
-            for k, x in multipliers.items():
-                total = add(total, scaled(x, self.exerted[k]))
-        return total
-
-    def transposed(self, multipliers: Mapping[int, Number]) -> Row:
-        """E^T λ of the multipliers of rows."""
-        return self.torques(self.total(multipliers))
-
     def torques(self, H: Wrench) -> Row:
         """The torques of a wrench on the first link and its opposite on the second."""
         row = [self.motion.zero[0]] * self.motion.tree.nv
@@ -154,7 +142,7 @@ class Closure:
 
     @cached_property
     def rates(self) -> list[Number]:
-        """The rate of E v at the motion's velocities and accelerations: E' v where a = 0."""
+        """E' v at the motion's velocities: the rate of E v at a = 0."""
         V, U = self._twists
         with self.part("g"):
             call = self.motion.recorder.call
@@ -182,9 +170,21 @@ class Closure:
         with self.part("V"):
             return first, self.motion.recorder.call("product_Ads", self.between, second)
 
-    def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
-        """A wrench on the first link and its opposite on the second, of the links that move."""
-        first, second = self.links
+    def total(self, coscrews: Sequence[Wrench], multipliers: Mapping[int, Number]) -> Wrench:
+        """Σ H̄ λ of these rows."""
+        total: Wrench = (*self.motion.zero, *self.motion.zero)
+        with self.part("f"):
+            for k, x in multipliers.items():
+                total = add(total, scaled(x, coscrews[k]))
+        return total
+
+    def holding(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ."""
+        return self.torques(self.total(self.coscrews, multipliers))
+
+    def on_links(self, multipliers: Mapping[int, Number]) -> Iterator[tuple[int, Wrench]]:
+        """The wrench on the first link and its opposite on the second, of the links that move."""
+        (first, second), wrench = self.links, self.total(self.coscrews, multipliers)
         with self.part("f"):
             if first >= 0:
                 yield first, wrench

@@ -1,6 +1,6 @@
 """Laws of joints as rows: a sum of coordinates is a polynomial of another.
 
-    φ = s - P(r),   E v = s' - P'(r) r',   (E v)' = E a - P''(r) r'²
+    φ = s - P(r),   E v = s' - P'(r) r',   E' v = -P''(r) r'²
 
 with the weighted sums s of the joints and r of their leaders.  They hold no bodies: their forces
 act as torques of the joints do, between the bodies that each connects."""
@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from coscrew_codegen.algebra.recording.numbers import Number, scaled
+from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.forces.acted_coordinates import link_of, sum_of, weights_of
@@ -60,7 +60,7 @@ class Coupling(Closure):
 
     @cached_property
     def rates(self) -> list[Number]:
-        """E a - P''(r) r'²."""
+        """-P''(r) r'², and E a of a motion that accelerates."""
         _, rate = sum_of(self.motion, required(self.loop.law).leaders)
         with self.part("g"):
             total = -(self._polynomial[2] * (rate * rate))
@@ -73,21 +73,21 @@ class Coupling(Closure):
         """No wrench from outside on any link."""
         return [(*self.motion.zero, *self.motion.zero)]
 
+    def holding(self, multipliers: Mapping[int, Number]) -> Row:
+        """E^T λ."""
+        with self.part("f"):
+            return [x * multipliers[0] for x in self.rows[0]]
+
+    def on_links(self, multipliers: Mapping[int, Number]) -> Iterator[tuple[int, Wrench]]:
+        """Nothing: joints transmit the torques, from the links that they connect."""
+        return iter(())
+
     @property
     def exerted(self) -> list[Wrench]:
         """The wrench of its first joint along its axis, on the link that it moves."""
         first = required(self.loop.law).joints[0]
         screw = self.motion.subspace(link_of(self.motion, first.joint))[first.coordinate]
         return [tuple(x * first.weight for x in screw)]
-
-    def transposed(self, multipliers: Mapping[int, Number]) -> Row:
-        """E^T λ."""
-        with self.part("f"):
-            return list(scaled(multipliers[0], self.rows[0]))
-
-    def on_links(self, wrench: Wrench) -> Iterator[tuple[int, Wrench]]:
-        """None: joints transmit what it exerts."""
-        return iter(())
 
 
 def closures(motion: Motion, loops: Sequence[ClosedLoop]) -> list[Closure]:

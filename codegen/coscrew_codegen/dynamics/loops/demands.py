@@ -51,7 +51,7 @@ def wrench(rows: ConstraintRows, multipliers: Sequence[Number], loop: str) -> li
     """Σ H̄ λ of one loop: (force; moment) on its first body, in the body's frame, at the loop's
     point."""
     closure = next(x for x in rows.closures if x.loop.name == loop)
-    total = closure.total(_own(rows, multipliers, closure))
+    total = closure.total(closure.exerted, _of(rows, multipliers, closure))
     with closure.part("f"):
         return list(closure.at_point(total))
 
@@ -60,7 +60,7 @@ def wrenches(rows: ConstraintRows, multipliers: Sequence[Number]) -> dict[int, W
     """The sums of the wrenches that closures exert on links."""
     results: dict[int, Wrench] = {}
     for closure in rows.closures:
-        for link, own in closure.on_links(closure.total(_own(rows, multipliers, closure))):
+        for link, own in closure.on_links(_of(rows, multipliers, closure)):
             results[link] = add(results[link], own) if link in results else own
     return results
 
@@ -69,15 +69,15 @@ def torques(rows: ConstraintRows, multipliers: Sequence[Number]) -> list[Number]
     """E^T λ."""
     total = [multipliers[0].like(0)] * rows.closures[0].motion.tree.nv
     for closure in rows.closures:
-        own = closure.transposed(_own(rows, multipliers, closure))
+        own = closure.holding(_of(rows, multipliers, closure))
         with closure.part("f"):
             total = list(add(total, own))
     return total
 
 
-def _own(rows: ConstraintRows, multipliers: Sequence[Number], closure: Closure
-         ) -> dict[int, Number]:
-    """The multipliers of a closure's rows, by row."""
+def _of(rows: ConstraintRows, multipliers: Sequence[Number], closure: Closure
+        ) -> dict[int, Number]:
+    """The multipliers of a closure, by row."""
     return {k: x for (n, k), x in zip(rows.places, multipliers, strict=True)
             if rows.closures[n] is closure}
 
