@@ -22,11 +22,12 @@ from coscrew_codegen.scene.mechanism.function_arguments import (
     Array,
     AxisLength,
     Frame,
+    Of,
     Q,
+    SceneQuantity,
     V,
 )
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene.scene_quantity import Of, SceneQuantity
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder

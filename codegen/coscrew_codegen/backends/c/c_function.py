@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from coscrew_codegen.backends.c import c_early_stores
+from coscrew_codegen.backends import c_early_stores
 from coscrew_codegen.backends.c.c_library import nested, quantity
 from coscrew_codegen.backends.c.c_nested import EACH, declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, broken, comment_of
