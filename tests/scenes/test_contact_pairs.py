@@ -64,7 +64,7 @@ def test_colliding_bodies_keep_their_momenta(tmp_path: Path, precision: str, wit
 @pytest.mark.parametrize("k", [1e5, 1e7])
 @pytest.mark.parametrize("e", [0.9, 0.5])
 def test_a_collision_keeps_the_share_that_is_wanted(tmp_path: Path, k: float, e: float) -> None:
-    """Of the speed at which two bodies meet, at eleven phases of the step."""
+    """The share of the speed at which two bodies meet, at eleven phases of the step."""
     law = f"load = 10\nk = {k}\nrestitution = {e}\nspeed = 2\n"
     kernels, n = load_scene(written(tmp_path, balls(1, 3) + pair("b0", "b1", law))), 11
     q0, v0 = np.zeros((n, 17)), np.zeros((n, 12))
@@ -147,7 +147,7 @@ def test_capsules_touch_where_their_axes_are_closest(tmp_path: Path) -> None:
 
 
 def test_parallel_capsules_touch_at_their_middle(tmp_path: Path) -> None:
-    """So that one lies on the other without turning."""
+    """One lies on the other without turning."""
     own = CAPSULES.replace("[-0.1, 0, 0]", "[0, 0, -0.2]").replace("[0.3, 0.1, 0]", "[0, 0, 0.2]")
     f = load_scene(written(tmp_path, balls(1, 1) + pair("b0", "b1", own))).double
     q = np.zeros(17)

@@ -11,30 +11,7 @@ from coscrew_codegen import load_scene, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-
-J, M = 0.3, 2.0
-CAM = f"""
-[bodies]
-cam = {{ mass = 1, inertia = [0.2, 0.2, {J}] }}
-valve = {{ mass = {M}, com = [0.1, 0, 0], inertia = [0.1, 0.1, 0.1] }}
-[joints]
-shaft = {{ type = "continuous", child = "cam", axis = [0, 0, 1] }}
-lift = {{ type = "prismatic", child = "valve", axis = [0, 1, 0] }}
-[loops.follow]
-kind = "law"
-joints = {{ lift = 1 }}
-leaders = {{ shaft = 1 }}
-polynomial = [0.1, 0.4, -0.3, 0.2]
-[outputs]
-record = ["q", "energy", "closing.follow"]
-[start.q]
-lift = 0.1
-[start.v]
-shaft = 0.5
-lift = 0.2
-[run]
-duration = 1
-"""
+from tests.support.scenes.closed_loops import CAM, J, M
 
 
 @pytest.fixture

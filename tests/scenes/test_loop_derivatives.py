@@ -12,10 +12,9 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.scene.integrators import named
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from tests.scenes import test_differentiated_functions as differentiated
-from tests.scenes.test_laws_of_joints import CAM
-from tests.scenes.test_loop_rows import TAU, Closed, V
-from tests.support.scenes import closed_loops
+from tests.support.scenes import closed_loops, differentiated
+from tests.support.scenes.closed_loops import CAM
+from tests.support.scenes.closed_states import TAU, Closed, V
 from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Evaluated
 
 FORWARD, DERIVATIVES = "forward_dynamics", "forward_dynamics_derivatives"

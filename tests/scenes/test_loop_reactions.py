@@ -13,8 +13,8 @@ from coscrew_codegen import load_scene, run
 from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.simulation.system import system
-from tests.scenes.test_loop_rows import CASES, TAU, Closed, V
 from tests.support.scenes import closed_loops
+from tests.support.scenes.closed_states import CASES, TAU, Closed, V
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 
 JOINTS = ("root", "shoulder", "elbow", "rail", "cross")

@@ -60,7 +60,7 @@ def _surface(state: BodyState, values: Values) -> tuple[Number, Vector, Vector]:
 
 
 def _reach(state: BodyState, values: Values, n: Vector) -> tuple[Number, Vector]:
-    """How far the surface reaches from its centre against a normal, and the way there, backwards,
+    """The reach of the surface from its centre against a normal, and the way there, backwards,
     in the body's frame."""
     radius, up = values["radius"], state.own_direction(n)
     if values.word("shape") != "disc":
