@@ -10,6 +10,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 from gmpy2 import mpfr
+from matplotlib.container import BarContainer
 from matplotlib.figure import Figure
 
 from coscrew_codegen import load_scene
@@ -243,7 +244,7 @@ def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(co
     axes = Figure().subplots()
     _bars(axes, costs)
     rows = [x for x in costs.rows if x.function == "forward_dynamics"]
-    bars = [*axes.containers[0], *axes.containers[2]]
+    bars = [bar for x in axes.containers if isinstance(x, BarContainer) for bar in x]
     assert [x.get_width() for x in bars] == [x.times[i].median for i, _ in enumerate(PRECISIONS)
                                              for x in rows]
     causes = {f"{x.cause}: {x.of}" for x in costs.run_errors.rows}
