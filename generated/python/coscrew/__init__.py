@@ -711,12 +711,14 @@ def unchecked(function):
     """The same function of this package or of a tier's, which takes matrices that are no rotations
     and quaternions of any length, and returns the formula's value."""
     import sys
+    from types import ModuleType
 
     if hasattr(function, "unchecked"):
         return function.unchecked
     its = getattr(function, "__name__", "")
-    for package in ["coscrew", "coscrew.accurate", "coscrew.certified"]:
-        module = sys.modules.get(f"{package}._gufunc")
+    tiers = [x for x in globals().values() if isinstance(x, ModuleType)]
+    for package in (sys.modules[__name__], *tiers):
+        module = getattr(package, "_gufunc", None)
         unchecked = getattr(module, f"unchecked_{its}", function)
         if function in (getattr(module, its, None), unchecked) and hasattr(module, its):
             return unchecked

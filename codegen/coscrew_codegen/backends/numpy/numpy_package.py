@@ -44,7 +44,6 @@ def _package(library: Library, tier: Tier) -> Files:
               "precisions": [precision.name for precision in library.precisions],
               "selfcheck": selfcheck, "tolerance": float(TOLERANCE),
               "predicates": _predicates(library, tier),
-              "tiers": [x.package for x in TIERS if library.having(x)],
               "required": required, "defects": [
                   {"letter": letter.value, "name": op.name, "family": op.family}
                   for letter, op in defects_of(required.values()).items()]}
