@@ -8,22 +8,19 @@ rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
-    Vector,
     add,
     dot,
-    linear,
-    maximum,
     scaled,
     subtract,
 )
 from coscrew_codegen.dynamics.algorithms import aba, crba, rnea
 from coscrew_codegen.dynamics.algorithms.aba import Articulated, Joint
-from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
+from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored, product
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
@@ -35,26 +32,14 @@ from coscrew_codegen.dynamics.contacts.soft_rows import (
     with_soft_rows,
 )
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
-from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
+from coscrew_codegen.dynamics.forces.resisted_bodies import LinkRow, resisted, with_slopes
 from coscrew_codegen.dynamics.forces.rotors import Eliminated, eliminated
-from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
-
-_LEAST = Fraction(1, 10**30)
-"""kg: used instead of a mass of zero."""
+from coscrew_codegen.scene.effect import required
 
 Inverse = Callable[[Sequence[Number]], list[Number]]
 """e -> (M + m)⁻¹ e."""
-
-
-@dataclass(frozen=True)
-class _Row:
-    """The term mass e e^T of a link's articulated inertia; e a wrench on the link."""
-
-    link: int
-    mass: Number
-    e: Wrench
 
 
 @dataclass(frozen=True)
@@ -106,7 +91,7 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
         return torque, more
 
     joint: Joint = at_joint
-    solve = _solver(motion, inertias, *_resisted(motion, start, rigids, weights))
+    solve = _solver(motion, inertias, *resisted(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
             e = _along_velocities(motion, pair.unit_wrenches)
@@ -123,7 +108,7 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
             solve, joint = with_soft_rows(_soft_rows(motion, start, acting), weights, solve, joint,
                                           _still(motion))
     wrenches = rnea.net_wrenches(motion, rigids, acting)
-    a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
+    a = solve(joint, with_slopes(motion, wrenches, acting, start, rigids, weights))
     return Implicit(a, rates, moved, lambda e: solve(
         lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)), rotors)
 
@@ -254,84 +239,8 @@ def _gathered(motion: Motion, of_links: Mapping[int, Sequence[Number]], power: i
     return result
 
 
-def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], weights: Weights
-              ) -> tuple[list[Rigid], list[_Row]]:
-    """The links' inertias with point masses m for the forces on points of them, and rows for the
-    directions in which these have other slopes."""
-    bodies, rows = list(rigids), []
-    for number, body in enumerate(rigids):
-        with motion.part(number, "B"):
-            for force in acting.resisting(number):
-                across, _ = _represented(force.across, body, weights)
-                bodies[number] = _with_mass(bodies[number], across, force.point_in_link)
-                if force.along:
-                    slopes, e = force.along
-                    along, _ = _represented(slopes, body, weights)
-                    rows.append(_Row(number, along - across, e))
-                if force.turning:
-                    turning, e = force.turning
-                    across, about = (_about_axis(x, body, weights) for x in (
-                        turning.across, turning.along))
-                    bodies[number] = _with_moments(bodies[number], across)
-                    rows.append(_Row(number, about - across, e))
-    return bodies, rows
-
-
-def _about_axis(slopes: Slopes, body: Rigid, weights: Weights) -> Number:
-    """m for the damping of a moment; z is that over the body's mean moment of inertia."""
-    mean = maximum((body.I[0] + body.I[1] + body.I[2]) / 3, _LEAST)
-    return weights(slopes.damping, slopes.stiffness, slopes.damping / mean)[0]
-
-
-def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
-    """(m, c) for the slopes of a force on a point of a body."""
-    m = maximum(body.m, _LEAST)
-    return weights(slopes.damping, slopes.stiffness, slopes.damping / m, slopes.stiffness / m)
-
-
-def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
-           start: AppliedEffects, rigids: Sequence[Rigid], weights: Weights) -> list[Wrench]:
-    """The wrenches that links need, with D (u - u_start) - c u_start added to the forces with
-    slopes D, u the velocity of their point."""
-    results = list(wrenches)
-    for number, body in enumerate(rigids):
-        with motion.part(number, "f"):
-            for force in start.resisting(number):
-                before, along = start.motion.twist(number), force.along
-                if start is not acting:
-                    faster = subtract(motion.twist(number), before)
-                    results[number] = subtract(results[number], _push(
-                        force, faster, force.across.damping, along and along[0].damping))
-                    if force.turning:
-                        results[number] = subtract(results[number], _turn(*force.turning, faster))
-                _, c = _represented(force.across, body, weights)
-                c_along = along and _represented(along[0], body, weights)[1]
-                if not c.is_zero or c_along and not c_along.is_zero:
-                    results[number] = add(results[number], _push(force, before, c, c_along))
-    return results
-
-
-def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | None) -> Wrench:
-    """The wrench on a link of the force `across` u, with another factor along the force's
-    direction, u the velocity of its point."""
-    point, call = force.point_in_link, across.recorder.call
-    push = scaled(across, linear(call("product_Adtinvs", point, twist)))
-    wrench: Wrench = call("product_CoAdtc", point, (*push, *(across.like(0),) * 3))
-    if along is None:
-        return wrench
-    _, e = required(force.along)
-    return add(wrench, scaled((along - across) * call("dot_cs", e, twist)[0], e))
-
-
-def _turn(slopes: PointSlopes, e: Wrench, twist: Wrench) -> Wrench:
-    """The moment on a link of the slopes' damping at the angular velocity of a twist."""
-    across, along = slopes.across.damping, slopes.along.damping
-    turn = (*e[:3], *scaled(across, twist[3:]))
-    return add(turn, scaled((along - across) * dot(e[3:], twist[3:]), e))
-
-
 def _solver(motion: Motion, inertias: OwnInertias, rigids: Sequence[Rigid],
-            rows: Sequence[_Row] = ()) -> Solve:
+            rows: Sequence[LinkRow] = ()) -> Solve:
     """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
     that depend on neither are issued once."""
     if not dense(motion, inertias):
@@ -397,15 +306,3 @@ def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) ->
             total[link] = add(total[link], wrench)
     return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None,
                                    OwnInertias()))
-
-
-def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
-    """The body with a point mass."""
-    zero = mass.like(0)
-    return replace(rigid_of(add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)
-
-
-def _with_moments(body: Rigid, inertia: Number) -> Rigid:
-    """The body with a moment of inertia about each axis."""
-    return replace(body, I=(*(x + inertia for x in body.I[:3]), *body.I[3:]))
