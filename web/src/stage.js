@@ -73,7 +73,6 @@ export class Stage {
     this.controls = controls;
     controls.enableDamping = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     controls.dampingFactor = .12;
-    controls.maxDistance = 12 * size;
     controls.minDistance = .15 * size;
     controls.maxPolarAngle = .52 * Math.PI;
     // Without focus the wheel scrolls the page.
@@ -131,6 +130,7 @@ export class Stage {
     this.now.copy(at);
     camera.position.copy(target).addScaledVector(from, distance).add(at);
     controls.target.copy(target).add(at);
+    controls.maxDistance = Math.max(12 * extent.size, 1.5 * distance);
     controls.update();
   }
 
