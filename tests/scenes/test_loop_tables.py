@@ -73,9 +73,9 @@ def test_a_scene_without_loops_keeps_its_hash(written: Written) -> None:
 
 
 def _hashed(scene: object) -> list[str]:
-    from coscrew_codegen.scene import content
+    from coscrew_codegen.scene.scene import _as_text
 
-    return list(content._as_text(scene))
+    return list(_as_text(scene))
 
 
 # starts

@@ -6,7 +6,9 @@ import math
 import gmpy2
 from gmpy2 import mpfr, mpq
 
-from coscrew_codegen.program.interpreter import by_operation, exactly
+from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly
+from coscrew_codegen.program.program import Constant
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
 
 
 def precise(digits: int) -> "gmpy2.context":
@@ -14,6 +16,15 @@ def precise(digits: int) -> "gmpy2.context":
     return gmpy2.context(precision=math.ceil((digits + 1) * math.log2(10)))
 
 
-MULTIPRECISE = by_operation(
-    lambda x: mpfr(mpq(x.double.numerator, x.double.denominator)), exactly(gmpy2), mpfr("nan"))
-"""Operations of gmpy2; constants are the exact ones, rounded to the context's digits."""
+def multiprecise(precision: Precision) -> Arithmetic[mpfr]:
+    """Operations of gmpy2; constants are the exact ones of the precision, rounded to the context's
+    digits."""
+    def constant(x: Constant) -> mpfr:
+        value = getattr(x, precision.name)
+        return mpfr(mpq(value.numerator, value.denominator))
+
+    return by_operation(constant, exactly(gmpy2), mpfr("nan"))
+
+
+MULTIPRECISE = multiprecise(DOUBLE)
+"""The model's: that of double precision."""

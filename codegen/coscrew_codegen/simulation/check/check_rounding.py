@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.interpreter import interpreter
-from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
+from coscrew_codegen.program.multiprecise import multiprecise, precise
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.runtime.load import Kernels, in_tier_of
@@ -138,9 +138,11 @@ def _rounded(system: System, name: str, program: Program, values: Values,
 
 
 def _exact(program: Program, values: Values, precision: Precision) -> Exact:
-    """The results for each state, from the model's own decimals."""
+    """The results for each state, from the model's own decimals.  Thresholds, and the softness of
+    closed loops, are those of the precision."""
     with precise(DIGITS):
-        evaluate, numbers = interpreter(program, MULTIPRECISE), len(values["t"])
+        evaluate = interpreter(program, multiprecise(precision))
+        numbers = len(values["t"])
         given = {**values, "p": np.tile(values["p"], (numbers, 1))}
         return [evaluate([[mpfr(float(x)) for x in np.ravel(given[a.name][row])]
                           for a in program.inputs]) for row in range(numbers)]
