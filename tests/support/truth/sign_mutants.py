@@ -92,7 +92,8 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
     """The mutants of a function from three rows of `size` numbers to one, `function` in `stem`.c.
     """
     text, lines = files[f"{stem}.c"], list[str]()
-    first = text.index(f"struct {function.replace('_accurate', '')}_values_accurate {{")
+    values = f"struct {function.replace('_accurate', '')}_values_accurate {{"  # of several parts
+    first = text.index(values if values in text else f"void {function}(")
     last = text.index("\n}\n", text.index(f"void {function}(")) + 3
 
     def statement(results: re.Match[str]) -> str:
@@ -133,7 +134,8 @@ def _with_rests(text: str) -> str:
         assert match, pattern
         return match
 
-    for place, result in enumerate(re.findall(r"^  \w+->(\w+_final) = \1;", text, re.M)):
+    for place, result in enumerate(dict.fromkeys(
+            re.findall(r"(?:->\w+|\w\[\d+\]) = (\w+_final);", text))):
         total = matched(rf"\b{result} = (?:\w+->)?(\w+) == ")[1]
         match = matched(rf"(?<![>\w]){total} = (\S+) \+(?: sign_of\[\d+\] \*)? "
                         r"(\([^()]*\)|[^\s,;]+)[^;]*;")
