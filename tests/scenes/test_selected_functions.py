@@ -131,9 +131,9 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 
 def test_all_functions_have_names_and_names_have_functions():
-    """The two scenes together have everything that a scene without closed loops and states of
-    effects can have."""
-    result = {*public(arm(*ALL)), *public(flyer(*ALL)), *LOOPS, *OF_STATES}
+    """The two scenes together have everything that a scene without closed loops, contacts and
+    states of effects can have."""
+    result = {*public(arm(*ALL)), *public(flyer(*ALL)), *LOOPS, *OF_STATES, "contacts"}
     assert result == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < result and "reaction_j2" not in result
 

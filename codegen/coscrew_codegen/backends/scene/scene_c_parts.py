@@ -128,7 +128,7 @@ class FunctionParts:
                 part.name, comment if number else f"{struct}\n\n{comment}",
                 arguments.head(c_name(self.scene, part.name, precision),
                                [*(self._parameter(x, group, precision)
-                                  for x in _taken(group, part)),
+                                  for x in self._taken(group, part, precision)),
                                 *(arguments.written(x, precision)
                                   for x in self._outputs(group, part, precision))],
                                "KSL_PART_DEVICE" if precision.device
@@ -170,10 +170,19 @@ class FunctionParts:
 
     def _call(self, group: Group, part: Program, precision: Precision, copies: Mapping[str, str]
               ) -> str:
-        taken = [f"&{x}" if x in self._groups else copies.get(x, x) for x in _taken(group, part)]
+        taken = [f"&{x}" if x in self._groups else copies.get(x, x)
+                 for x in self._taken(group, part, precision)]
         written = [x.name for x in self._outputs(group, part, precision)]
         return listed(f"{c_name(self.scene, part.name, precision)}(", [*taken, *written], ");",
                       WIDTH - 2)
+
+    def _taken(self, group: Group, part: Program, precision: Precision) -> list[str]:
+        """The names of a part's arguments: the inputs and groups that it reads, and the group in
+        which it keeps values."""
+        names = [a.name for a in part.inputs]
+        keeps = any(not self._only_stored(group, x, precision) for x in _computed(part))
+        own = [group.name] if keeps or group.name in names else []
+        return [*(x for x in names if x != group.name), *own]
 
     # results that parts store
 
@@ -255,11 +264,6 @@ class FunctionParts:
 def _computed(part: Program) -> set[str]:
     """The values that a part gives."""
     return {x.name for x in part.results if isinstance(x, Ref)}
-
-
-def _taken(group: Group, part: Program) -> list[str]:
-    """The names of a part's arguments: the inputs and groups that it reads, and its own group."""
-    return [*(a.name for a in part.inputs if a.name != group.name), group.name]
 
 
 def _indented(lines: Iterable[str]) -> str:
