@@ -176,7 +176,7 @@ def test_surer_choices_stand_below_the_cheapest():
                              "found by search", "10 µN m")
     assert [x[3] for x in table.rows[2:]] == [
         "about 100 instructions", "about 5,000 instructions", "about 9,000 instructions"]
-    assert table.below[0].endswith("Instructions are estimated from operations, without qemu-arm.")
+    assert table.notes[0].endswith("Instructions are estimated from operations, without qemu-arm.")
 
 
 def test_what_no_choice_meets_is_said_so():
