@@ -160,7 +160,7 @@ def test_split_steps_of_a_bounce_round_little(tmp_path):
 def test_few_instructions_end_the_run_early(spring: Kernels, errors: RunErrors):
     early = run_errors(spring, overrides(), (), most=5000)
     assert early and early.times[-1] < UNTIL == errors.times[-1]
-    text = of_run(early).above[0]
+    text = of_run(early).notes[0]
     assert re.search(r"the first 0\.\d+ s of 0\.5 s: more .* 0\.005 million instructions", text)
     assert "the whole 0.5 s" in of_run(errors).text() and "t = 0.5 s" in of_run(errors).text()
     assert "rounding: single pairs" in of_run(errors).text()
