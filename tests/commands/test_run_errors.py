@@ -193,14 +193,14 @@ def test_the_table_says_when_digits_are_gone():
         row("step", "0.001 s", 1e-9, 1e-8, 1e-7, 1e-6)), 10**6)
     table = of_run(errors)
     assert [x[-1] for x in table.rows] == ["", "from 3 s", ""]
-    assert table.below == (
+    assert table.notes[2:] == (
         "In double precision rounding moves the run by at most 1e-12, the step by 1e-6: shorter "
         "steps would be more accurate.",
         "In single precision until t = 2 s rounding moves the run by at most 0.001, the step by "
         "1e-8: shorter steps would gain nothing.")
     at_once = of_run(replace(errors, rows=(
         row("rounding", "single plain", 1, 1, 1, 1, gone=1.0), *errors.rows[2:])))
-    assert at_once.below == ()
+    assert at_once.notes[2:] == ()
 
 
 # numbers
