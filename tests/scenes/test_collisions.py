@@ -74,15 +74,16 @@ def test_a_fault_in_a_shape_is_its_problem_and_refuses_nothing(tmp_path, text, p
 
 
 def test_shapes_change_no_hash(tmp_path):
-    """Recordings and kernels of the same robot without shapes stay valid."""
+    """Recordings of the same robot without shapes stay valid, and so do kernels, unless a notice
+    says what to do with shapes."""
     scene = tmp_path / "arm.toml"
-    scene.write_text('model = "arm.urdf"\nbase = "free"\n[effects.gravity]\n')
+    scene.write_text('model = "arm.urdf"\nbase = "free"\nfalling = "accept"\n[effects.gravity]\n')
     urdf(tmp_path)
     bare = read_scene(scene)
     urdf(tmp_path, collision('<sphere radius="1"/>'))
     shaped = read_scene(scene)
     assert len(shaped.model.collisions) == 1 and not bare.model.collisions
-    assert hashed(shaped) == hashed(bare)
+    assert hashed(shaped) == hashed(bare) and shaped.motion_hash == bare.motion_hash
 
 
 PEERS = ("ur_description/urdf/ur5_robot.urdf", "kinova_description/robots/kinova.urdf",
