@@ -278,9 +278,12 @@ def test_states_without_room_for_their_results_do_not_count(kernels: Kernels):
     assert kernels._lanes._met == 0
 
 
-def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels, tmp_path: Path,
-                                                      monkeypatch: pytest.MonkeyPatch):
+@pytest.mark.parametrize("scene", (pendulum, slider))
+def test_without_lanes_states_are_computed_one_by_one(
+        scene: Callable[[], SceneFunctions], tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))  # none are compiled yet
+    monkeypatch.setattr(lanes, "PAYS", 100)
+    kernels = kernels_of(scene())
 
     def fail(*_: object) -> None:
         raise compilation.CompilationError("no such vectors")

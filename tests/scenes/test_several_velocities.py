@@ -363,8 +363,9 @@ def test_all_takes_the_models_numbers_of_every_joint(kernels):
     ("q0 = [0, 0.6, 0, 0.8]", "q0 = 0.5", "effects.spring.wrist.q0: "),
     ("q0 = [0, 0.6, 0, 0.8]", "q0 = [0, 1, 0]", "effects.spring.wrist.q0: "),
     ("q0 = [0, 0.6, 0, 0.8]", "q0 = [0, 1, 0, 1]", "effects.spring.wrist.q0: "),
-    ("[effects.gravity]", "[effects.limit.wrist]\nk = 1", "limit cannot act on joint 'wrist', "
-     "which is spherical"),
+    ("[effects.gravity]", "[effects.actuator.wrist]\ntau = 1", "actuator cannot act on joint "
+     "'wrist', which is spherical"),
+    ("[effects.gravity]", "[effects.limit.wrist]\nk = 1\nlower = 0.1", "wanted upper alone"),
     ("[effects.gravity]", 'runtime = ["spring.wrist.q0"]\n[effects.gravity]',
      "'spring.wrist.q0' is the coordinates of a joint; wanted a number")])
 def test_wrong_tables_are_refused(tmp_path, old, new, message):
