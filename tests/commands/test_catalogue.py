@@ -17,9 +17,9 @@ def test_effects_are_in_order_and_each_fills_a_slot():
     for effect in EFFECTS:
         slots = (effect.gravity, effect.wind, effect.ground, effect.joint_torque,
                  effect.joint_inertia, effect.body_force, effect.body_inertia, effect.pair_force,
-                 effect.reaction, effect.mimic)
+                 effect.bodies_force, effect.reaction, effect.mimic)
         assert sum(map(bool, slots)) == 1, effect.name
-        assert effect.place is not Place.PAIR or effect.pair_force
+        assert effect.place is not Place.PAIR or effect.pair_force or effect.bodies_force
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)

@@ -5,6 +5,7 @@ Rotations are nine entries, row by row, as in `Placement`.
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ IDENTITY = tuple(Fraction(i % 4 == 0) for i in range(9))
 Entries = tuple[Fraction, ...]
 
 
+@cache  # a visual and a collision often stand at one place
 def from_rpy(roll: Fraction, pitch: Fraction, yaw: Fraction) -> Entries:
     """R = Rz(yaw) Ry(pitch) Rx(roll), angles in rad.  (9)."""
     return product(_about(2, yaw), product(_about(1, pitch), _about(0, roll)))
