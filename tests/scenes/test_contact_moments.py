@@ -36,7 +36,7 @@ def of_ball(folder: Path, moments: str, *v: float) -> Path:
 def test_a_spinning_ball_stops_when_its_moment_has_taken_its_spin(
         tmp_path: Path, step: float, precision: str) -> None:
     """I w' = -torsional m g: w falls linearly, to zero after I w0/(torsional m g), within a third
-    of what it loses in a step."""
+    of a step's loss."""
     path = of_ball(tmp_path, "torsional = 0.001", 0, 0, 0, 0, 0, 5)
     result = run(path, until=3, step=step, precision=precision)
     rate = 0.001 * G / 0.004

@@ -11,6 +11,7 @@ from typing import Protocol, TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Sign
+from coscrew_codegen.scene.contacts.closeness import BodyContact, Contact, Resting
 from coscrew_codegen.scene.mechanism.collision import Collision
 
 K = TypeVar("K")
@@ -177,37 +178,6 @@ class BodyState(Protocol):
     def above_ground(self, position: Vector) -> tuple[Number, Vector]:
         """The distance of a position from the ground, and the ground's normal there, both in the
         world's frame."""
-
-
-@dataclass(frozen=True)
-class Contact:
-    """Contact by Hertz's law, k δ^1.5: steps are split while it is closed or closes."""
-
-    k: Number
-    depth: Number  # δ, zero where it is open
-
-
-@dataclass(frozen=True)
-class BodyContact:
-    """Contact of a body by Hertz's law: steps are split while it bounces."""
-
-    k: Number
-    gap: Number  # below zero where it is closed
-    rise: Number  # the gap's rate
-    resting: Number  # the depth under its load: less than twice that deep it rests
-
-
-MOST_AT_REST = 8
-"""Contacts that share a tree's weight, at most: of a body with many not all touch."""
-
-
-@dataclass(frozen=True)
-class Resting:
-    """The load on each contact of a body at rest, in N, and free fall's acceleration; 0 without
-    gravity."""
-
-    load: Fraction
-    g: Fraction
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ def robots(outcomes: Iterable[Outcome]) -> list[list[Outcome]]:
                 if key in by_key and by_key[key] is not own:
                     own += by_key[key]
                 by_key[key] = own
-            for y in own:  # all keys of what is now one robot
+            for y in own:  # both groups are one robot now
                 for key in (name_of(y.file), f"{y.format} {y.model}"):
                     if key in by_key:
                         by_key[key] = own

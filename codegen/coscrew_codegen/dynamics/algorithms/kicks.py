@@ -35,7 +35,8 @@ from coscrew_codegen.dynamics.forces.rotors import Eliminated
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber
-from coscrew_codegen.scene.effect import Contact, CoordinateState, required
+from coscrew_codegen.scene.contacts.closeness import Contact
+from coscrew_codegen.scene.effect import CoordinateState, required
 from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST

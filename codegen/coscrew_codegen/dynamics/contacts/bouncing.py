@@ -15,7 +15,7 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, maximum, minimum, sqrt
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
-from coscrew_codegen.scene.effect import BodyContact
+from coscrew_codegen.scene.contacts.closeness import BodyContact
 from coscrew_codegen.scene.functions.steps.step_parts import MOST_OF_CONTACTS
 
 FINE = 8

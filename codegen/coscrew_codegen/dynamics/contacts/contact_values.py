@@ -15,7 +15,8 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
-from coscrew_codegen.scene.effect import BodyContact, required
+from coscrew_codegen.scene.contacts.closeness import BodyContact
+from coscrew_codegen.scene.effect import required
 
 _LEAST = Fraction(1, 10**30)
 """N: instead of a force of zero, so that there is no 0/0."""

@@ -21,17 +21,8 @@ from coscrew_codegen.algebra.recording.numbers import (
     subtract,
     where,
 )
-from coscrew_codegen.scene.effect import (
-    MOST_AT_REST,
-    BodyContact,
-    ContactForce,
-    Given,
-    ParameterOf,
-    Resting,
-    Slopes,
-    StateOf,
-    Values,
-)
+from coscrew_codegen.scene.contacts.closeness import MOST_AT_REST, BodyContact, Resting
+from coscrew_codegen.scene.effect import ContactForce, Given, ParameterOf, Slopes, StateOf, Values
 
 _LEAST = Fraction(1, 10**30)
 """N: instead of a force of zero, so that there is no 0/0."""

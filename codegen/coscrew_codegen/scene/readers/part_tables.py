@@ -8,8 +8,9 @@ from fractions import Fraction
 from math import sqrt
 from typing import cast
 
+from coscrew_codegen.scene.contacts.closeness import MOST_AT_REST, Resting
 from coscrew_codegen.scene.contacts.touching_parts import SHAPE_KEYS, SHAPES, touches
-from coscrew_codegen.scene.effect import MOST_AT_REST, Resting, required
+from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.model import WORLD, Model, value
 from coscrew_codegen.scene.mechanism.notices import COLLISION, Notice

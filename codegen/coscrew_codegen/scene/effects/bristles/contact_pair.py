@@ -13,6 +13,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
+from coscrew_codegen.scene.contacts.closeness import Resting
 from coscrew_codegen.scene.contacts.contact_law import (
     COMMON,
     STATES,
@@ -30,7 +31,6 @@ from coscrew_codegen.scene.effect import (
     Given,
     ParameterOf,
     Place,
-    Resting,
     TwoBodies,
     Values,
 )

@@ -1,7 +1,8 @@
 """Ground: the plane or the heights that contacts stand on."""
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector, dot, scaled, sqrt
-from coscrew_codegen.scene.effect import Effect, Given, ParameterOf, Place, Resting, Values
+from coscrew_codegen.scene.contacts.closeness import Resting
+from coscrew_codegen.scene.effect import Effect, Given, ParameterOf, Place, Values
 
 
 def _ground(values: Values, point: Vector) -> tuple[Number, Vector]:

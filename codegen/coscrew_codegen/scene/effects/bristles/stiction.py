@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import absolute, exp, maximum, minimum
+from coscrew_codegen.scene.contacts.closeness import Resting
 from coscrew_codegen.scene.effect import (
     CoordinateState,
     Effect,
     Given,
     ParameterOf,
     Place,
-    Resting,
     StateOf,
     Torque,
     Values,

@@ -1,15 +1,8 @@
 """Limits of a joint: contact by Hunt and Crossley's law, which pushes and never pulls."""
 
 from coscrew_codegen.algebra.recording.numbers import absolute, less, maximum, minimum, sqrt, where
-from coscrew_codegen.scene.effect import (
-    Contact,
-    CoordinateState,
-    Effect,
-    ParameterOf,
-    Place,
-    Torque,
-    Values,
-)
+from coscrew_codegen.scene.contacts.closeness import Contact
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state: CoordinateState, values: Values) -> Torque:

@@ -1,1 +1,1 @@
-"""Notices of what a scene lacks: numbers that nothing uses, idle effects, bodies that fall."""
+"""Notices about gaps of a scene: numbers without use, idle effects, bodies that fall."""

@@ -25,8 +25,8 @@ MANY = 5
 
 @dataclass
 class Use:
-    """Collects what effects take from the model while they are read, as (joint, field), and
-    notices of what they cannot take."""
+    """Collects the model's values that effects take while they are read, as (joint, field), and
+    notices about values that they cannot take."""
 
     of_model: set[tuple[str, str]] = field(default_factory=set)
     notices: list[Notice] = field(default_factory=list)
