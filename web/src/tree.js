@@ -63,16 +63,16 @@ export class Tree {
     const { joints, groups, main } = this.recording;
     const { name } = joints.find(x => x.child === this.chosen);
     const { x, y, z } = this.robots[0].bodies[this.chosen].position;
-    const lines = [words(this.recording, this.chosen),
-                   `at ${[x, y, z].map(written).join(", ")} m`];
-    for (const quantity of ["q", "v"]) {
+    const state = ["q", "v"].map(quantity => {
       const own = `${quantity}.${name}`;
       const numbers = groups.flatMap(group => group.signals).filter(x =>
         x.run === 0 && (x.name === own || x.name.startsWith(`${own}.`)));
       const values = numbers.map(signal => written(main.value(signal.numbers)));
-      if (values.length) lines.push(`${quantity} ${values.join(", ")}`);
-    }
-    $("chosen").textContent = lines.join("\n");
+      return values.length && `${quantity} ${values.join(", ")}`;
+    });
+    $("chosen").textContent = [words(this.recording, this.chosen),
+                               `at ${[x, y, z].map(written).join(", ")} m`,
+                               joined(...state)].join("\n");
   }
 }
 

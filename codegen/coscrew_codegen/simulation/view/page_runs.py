@@ -16,7 +16,7 @@ from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view import page_signals
 from coscrew_codegen.simulation.view.page_signals import Columns
-from coscrew_codegen.simulation.view.part_places import numbers_of
+from coscrew_codegen.simulation.view.part_places import number_of, numbers_of
 
 _FRAMES_A_SECOND = 60
 _MOST_NUMBERS = 2_000_000  # numbers in all poses: 8 MB, enough for a minute of thirty bodies
@@ -68,10 +68,12 @@ def run_in(path: Path, system: System) -> PageRun:
 
 def target_of(system: System, run: PageRun) -> PageRun | None:
     """The run with the targets of actuators in place of the coordinates that they drive; None if
-    there are none."""
+    there are none.  Without kp an actuator drives the velocity alone."""
     q, columns = np.array(run.q, float), {}
     for applied in system.scene.effects:
-        target = applied.values.get("target")
+        kp, target = map(applied.values.get, ("kp", "target"))
+        if isinstance(kp, Scalar) and number_of(system, kp) == 0:
+            continue
         for c in (x for x in system.functions.coordinates if x.joint == applied.on):
             if isinstance(target, Formula | Scalar):
                 q[:, c.q.start] = [target.at(t) for t in run.t] if isinstance(target, Formula) \
