@@ -252,3 +252,30 @@ def test_boxes_of_inertia_appear_over_the_bodies(shown):
           .filter(() => group.visible);""")
     assert shown.execute_script("return player.recording.bodies[arguments[0]].name;", body) == "arm"
     assert size == pytest.approx([math.sqrt(0.6)] * 3) and centre == [0, 0, -1]
+
+
+def test_the_run_is_filmed_to_its_end(shown):
+    """From the start to the end; the file begins as all of its format do."""
+    shown.execute_script("""
+        window.films = [];
+        HTMLAnchorElement.prototype.click = function () {
+          fetchBlob(this.href).then(bytes => films.push([this.download, bytes]));
+        };
+        const make = URL.createObjectURL, blobs = new Map();
+        URL.createObjectURL = blob => {
+          const address = make.call(URL, blob);
+          blobs.set(address, blob);
+          return address;
+        };
+        window.fetchBlob = async address =>
+          [...new Uint8Array(await blobs.get(address).arrayBuffer())].slice(0, 2000);
+        player.clock.seek(.5);""")
+    press(shown, "v")
+    begin, playing = shown.execute_script("return [player.clock.time, player.clock.playing];")
+    assert playing and begin < 0.5
+    WebDriverWait(shown, SECONDS).until(lambda x: x.execute_script("return films.length;"))
+    ((name, content),) = shown.execute_script("return films;")
+    assert shown.execute_script("return player.clock.time === player.clock.end;")
+    assert not shown.execute_script("return player.filming.on;")
+    assert name == "arm.webm" and bytes(content[:4]).hex() == "1a45dfa3"  # EBML
+    assert len(content) == 2000

@@ -6,9 +6,9 @@ import { Extent } from "./extent.js";
 import { listKeys } from "./keys.js";
 import { labels } from "./labels.js";
 import { frames, masses, trail } from "./marks.js";
-import { save } from "./picture.js";
+import { film, save } from "./picture.js";
 import { Plots } from "./plots.js";
-import { pointing } from "./pointer.js";
+import { pointing, turning } from "./pointer.js";
 import { Recording } from "./recording.js";
 import { overlaid, Robot, shapesOf } from "./robot.js";
 import { SIDES, Stage } from "./stage.js";
@@ -89,6 +89,10 @@ class Player {
     tools.add("Ground", "g", true, () => ({ show: on => stage.stand(on) }), space);
     tools.add("Bodies", "b", false, () => ({ show: on => { $("tree").hidden = !on; } }), space);
     tools.add("Loop", "l", false, () => ({ show: on => { this.clock.loops = on; } }), space);
+    if (window.MediaRecorder) {
+      this.filming = tools.add("Film", "v", false,
+                               () => film(stage.canvas, this.clock, this.name), space);
+    }
     tools.menu("View", [
       ["First view", "r", () => this.fit()], ["Along x", "x", () => this.fit(SIDES.x)],
       ["Along y", "y", () => this.fit(SIDES.y)], ["From above", "z", () => this.fit(SIDES.z)],
@@ -118,16 +122,20 @@ class Player {
   // Save the picture as it is drawn now: the canvas has its content until the browser takes it.
   save() {
     this.update();
-    const name = document.title.split(":")[0];
-    save(this.stage.canvas, `${name} ${this.clock.time.toFixed(3)} s.png`);
+    save(this.stage.canvas, `${this.name} ${this.clock.time.toFixed(3)} s`);
   }
+
+  get name() { return document.title.split(":")[0]; }
 
   listen() {
     document.addEventListener("keydown", event => {
       const { tagName } = event.target, letter = event.key.length === 1 && event.key !== " ";
       const own = CONTROLS.includes(tagName) && !(letter && tagName !== "SELECT");
       if (own || $("keys").open) return;
-      if (this.stage && event.target === $("space") && this.turn(event)) return;
+      if (this.stage && event.target === $("space") && turning(event, this.stage)) {
+        Object.assign(this, { fitted: false, dirty: true });
+        return;
+      }
       if (event.key === "Escape") this.tree?.choose(null);
       if (this.clock.key(event) || this.tools.key(event)) event.preventDefault();
     });
@@ -147,20 +155,6 @@ class Player {
     if (this.stage) this.fit();
   }
 
-  // Keys that turn and zoom the view while the picture has the focus.
-  turn(event) {
-    const action = {
-      ArrowLeft: () => this.stage.orbit(.1, 0), ArrowRight: () => this.stage.orbit(-.1, 0),
-      ArrowUp: () => this.stage.orbit(0, .1), ArrowDown: () => this.stage.orbit(0, -.1),
-      "+": () => this.stage.orbit(0, 0, 1 / 1.2), "=": () => this.stage.orbit(0, 0, 1 / 1.2),
-      "-": () => this.stage.orbit(0, 0, 1.2) }[event.key];
-    if (!action) return false;
-    event.preventDefault();
-    action();
-    Object.assign(this, { fitted: false, dirty: true });
-    return true;
-  }
-
   // Bring everything to the clock's time.
   update() {
     this.recording.locate(this.clock.time);
@@ -171,6 +165,10 @@ class Player {
       this.always.update();
       this.tools.update(this.clock.time);
       this.stage.render();
+      if (this.filming?.on) {
+        this.filming.mark.add();
+        if (!this.clock.playing) this.tools.toggle(this.filming);  // the end of the run
+      }
     }
     this.plots.update();
   }
