@@ -203,6 +203,15 @@ def test_both_bodies_of_a_contact_are_drawn(perch):
     assert axis_of(place) == pytest.approx((0, 1, 0), abs=1e-6)
 
 
+def test_states_of_all_effects_are_one_group(tmp_path):
+    """Each is labelled by its effect, and where its contact is."""
+    (result,) = run(tmp_path / "thing.toml", FREE.format(shape=BALL, ground="", com="[0, 0, 0]"
+                    ).replace('"q",', '"q", "x",'), precision="double")
+    groups = {x["title"]: [y["label"] for y in x["signals"]]
+              for x in PageData(page([result])).json["groups"]}
+    assert groups["States x"] == [f"contact.thing.{i}" for i in range(3)]
+
+
 def test_a_contact_that_never_touches_takes_no_room(tmp_path):
     """The numbers of one that does are zero except at the samples around."""
     (far,) = run(tmp_path / "far.toml", TOUCHING.format(x=0, z=5, duration=0.01),

@@ -12,7 +12,6 @@ from coscrew_codegen.scene.mechanism.loop import ROD
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.recorded_quantities import Recorded, recorded
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.recordings.recording import Column
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.page_block import NumberBlock
@@ -20,7 +19,8 @@ from coscrew_codegen.simulation.view.part_places import numbers_of
 
 Columns = Mapping[str, np.ndarray]
 """Values by the names of columns, at the times of a run's poses."""
-_TITLES = {"q": "Positions q", "v": "Velocities v", "a": "Accelerations a"}
+_TITLES = {"q": "Positions q", "v": "Velocities v", "a": "Accelerations a",
+           "x": "States x"}
 _FIRST = ("q", "energy", "v", "power", "a")  # groups, in the order in which they are shown
 _ENERGY = "energy"
 _SHOWN = ("q", _ENERGY)  # of each of these the first group is plotted from the start
@@ -69,7 +69,7 @@ def _named(column: Column, system: System) -> tuple[str, str, str]:
     if column.quantity == _ENERGY and column.name.startswith(f"{_ENERGY}."):
         return "Energy", column.name.partition(".")[2], _ENERGY
     x = recorded(column.name, system.scene)
-    if x.quantity in UNITS:
+    if x.quantity in _TITLES:
         return _TITLES[x.quantity], column.name.partition(".")[2], x.quantity
     if x.of_effect:
         return x.quantity.capitalize(), column.name, x.quantity
