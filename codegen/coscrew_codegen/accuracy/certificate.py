@@ -6,9 +6,10 @@ from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
 from coscrew_codegen.accuracy.range_proofs import values
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, ValueBounds
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.program import Constant, Input, Operand, Program, Ref
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
+from coscrew_codegen.program.roundoff import RoundedRange
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import Precision
 
