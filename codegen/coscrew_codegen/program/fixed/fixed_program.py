@@ -233,7 +233,8 @@ class _FixedWriter:
 
     def _to_the_left(self, step: Instruction, x: FixedValue, bits: int) -> FixedValue:
         """The value with this larger f."""
-        return self._issue(step, Op.MUL, (x,), bits, x.bounds, 2**(bits - x.bits))
+        return self._issue(step, Op.MUL, (x,), bits, x.bounds._replace(own=NONE),
+                           2**(bits - x.bits))
 
     def _narrowed(self, step: Instruction, x: FixedValue, bits: int) -> FixedValue:
         """The value with this f, rounded if that is smaller."""

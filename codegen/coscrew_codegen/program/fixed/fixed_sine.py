@@ -38,7 +38,13 @@ def error(bits: int, reach: float) -> Upward | None:
     angles are too large."""
     if bits < LEAST_BITS or reach == inf:
         return None
-    return above(_quarters(reach) * _half_pi_error()) + _kernel()[1]
+    whole, quarter = errors()
+    return above(_quarters(reach) * quarter + whole)
+
+
+def errors() -> tuple[Fraction, Fraction]:
+    """Bounds of the errors of sine and cosine, and of the error more for each quarter turn."""
+    return Fraction(_kernel()[1]), Fraction(above(_half_pi_error()))
 
 
 def _quarters(reach: float) -> int:
