@@ -51,7 +51,7 @@ class FloatRounding:
 
     def nearest(self, top: Upward, exact: bool = False) -> tuple[Upward, Upward]:
         """Bounds the error of rounding a number up to `top`, and the rounded number; a product with
-        a power of two is `exact` but for underflow."""
+        a power of two is `exact` barring underflow."""
         if exact:
             return self.eta, self._known(self._up(top) if isfinite(top) else inf)
         if not top or top > self._most:
