@@ -43,7 +43,7 @@ REFUSED = {
     "no axis": (chain(hinge().replace("<axis><xyz>0 0 1</xyz></axis>", "")), "lacks <axis>"),
     "too many axes": (chain(hinge().replace("</joint>", "<axis2/></joint>")), "<axis2> of a "
                       "revolute joint; wanted none"),
-    "numbers": (chain(hinge("<xyz>0 1</xyz>")), "<xyz> of <axis> is '0 1'; wanted 3 numbers"),
+    "numbers": (chain(hinge("<xyz>0 1</xyz>")), "<xyz> of <axis>: '0 1'; wanted 3 numbers"),
     "no number": (chain(hinge("<xyz>0 x 1</xyz>")), "<xyz> of <axis>: 'x' is no number"),
     "negative": (chain(hinge("<xyz>0 0 1</xyz><dynamics><damping>-1</damping></dynamics>")),
                  "<damping> of <dynamics> is -1; wanted 0 or more"),
