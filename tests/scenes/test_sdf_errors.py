@@ -32,7 +32,7 @@ REFUSED = {
     "text among elements": (chain(hinge("0 0 1")), "<axis> holds the text '0 0 1'"),
     "type": (chain(hinge(kind="hinge")), "joint 'j': type 'hinge'; wanted one of revolute, contin"),
     "screw": (chain(hinge(kind="screw")), "type 'screw'; wanted one of revolute"),
-    "gearbox": (chain(hinge(kind="gearbox")), "type 'gearbox'; wanted one of revolute"),
+    "gearbox": (chain(hinge(kind="gearbox")), "<joint> lacks <gearbox_reference_body>"),
     "parent": (chain(hinge(parent="aa")), "no frame 'aa'; did you mean 'a'?"),
     "frame": (chain(hinge(pose='<pose relative_to="c">0 0 0 0 0 0</pose>')), "no frame 'c'"),
     "circle": (chain(hinge(pose='<pose relative_to="f"/>'), more='<frame name="f"><pose relative_to'

@@ -5,6 +5,7 @@ nothing.  Numbers are in SI units; names in a model that is in another begin wit
 `hand::palm`.
 """
 
+from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
@@ -14,6 +15,8 @@ from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
+from coscrew_codegen.scene.readers.sdf.sdf_gears import GROUP, gears
+from coscrew_codegen.scene.readers.sdf.sdf_joints import GEARBOX
 from coscrew_codegen.scene.readers.sdf.sdf_loops import SdfLoops
 from coscrew_codegen.scene.readers.sdf.sdf_shapes import shapes_of
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
@@ -32,21 +35,25 @@ class _Sdf(SdfLoops):
 
     def __init__(self, source: ModelSource) -> None:
         super().__init__(source.path)
-        self.lenient, self.opened = source.lenient, "loops" in source.leave_out
+        self.lenient, self.left_out = source.lenient, source.leave_out
         self.shapes = shapes_of(source, self.pose)
         self.lacking: list[str] = []  # inertias that were taken as SDF's defaults
 
     def parts(self) -> Parts:
         model, gravity = self._model()
         self.collect(model, "")
-        self.close(opened=self.opened)
+        self.close(opened="loops" in self.left_out)
+        mimics = gears(self, left_out=GROUP in self.left_out)
         parts: list[Body | Joint] = []
         links = {full: x for full, (x, _) in self.frames.items() if x.tag == "link"}
         for full, (element, scope) in self.frames.items():
             if element.tag == "link":
                 parts.append(self._body(element, full))
-            elif element.tag == "joint" and full not in self.closing:
-                parts += self.joint(element, full, scope)
+            elif element.tag == "joint" and full not in self.closing and (
+                    element.attributes.get("type") != GEARBOX):
+                parts += (replace(x, mimic=mimics[full]) if x.name == full in mimics
+                          and isinstance(x, Joint) else x
+                          for x in self.joint(element, full, scope))
             elif element.tag == "frame":
                 link = self.link_of(full)
                 parts += (Body(full), Joint(f"{full}/frame", FIXED, link, full,
@@ -127,6 +134,6 @@ class _Sdf(SdfLoops):
 
 READER = ModelReader(
     "SDF", (".sdf", ".world"), "one model of Gazebo, alone or in a world, with models in it: "
-    "links, frames, joints with damping, friction, springs, limits and mimics, closed loops, the "
-    "world's gravity; a root that no joint moves floats", lambda source: _Sdf(source).parts(),
-    takes_packages=True, leaves_out=("loops",))
+    "links, frames, joints with damping, friction, springs, limits and mimics, gearboxes, closed "
+    "loops, the world's gravity; a root that no joint moves floats",
+    lambda source: _Sdf(source).parts(), takes_packages=True, leaves_out=("loops", GROUP))

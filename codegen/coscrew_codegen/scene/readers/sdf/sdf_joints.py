@@ -38,6 +38,8 @@ TYPES = {"revolute": (REVOLUTE, 1), "continuous": (REVOLUTE, 1),
          "prismatic": (PRISMATIC, 1), "universal": (REVOLUTE, 2),
          "revolute2": (REVOLUTE, 2), "ball": (SPHERICAL, 0), "fixed": (FIXED, 0)}
 """The kind and the number of axes of each type."""
+TURNING = ("revolute", "continuous")
+GEARBOX = "gearbox"  # connects no links: a joint follows another
 
 _RIGHT = Fraction(1, 10**30)  # cosine of two axes below which they are perpendicular
 _UNLIMITED = Fraction(10)**16  # numbers from here on stand for none
@@ -60,8 +62,8 @@ class SdfJoints(SdfFrames):
         """The joint, or the chain of joints, and the links without mass in it."""
         word = joint.attributes.get("type", "")
         if word not in TYPES:
-            self.refuse(joint, f"type {shown(word)}; wanted one of {', '.join(TYPES)}"
-                               f"{or_mean(word, TYPES)}")
+            self.refuse(joint, f"type {shown(word)}; wanted one of "
+                               f"{', '.join((*TYPES, GEARBOX))}{or_mean(word, TYPES)}")
         kind, count = TYPES[word]
         parent, child = self.ends(joint, scope)
         for tag in AXES[count:] if kind is not FIXED else ():

@@ -10,7 +10,7 @@ from coscrew_codegen.scene.mechanism.loop import FRAME, HINGE, POINT, LoopKind
 from coscrew_codegen.scene.mechanism.model import WORLD, Joint
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.placed_loops import PlacedLoops
-from coscrew_codegen.scene.readers.sdf.sdf_joints import AXES, SdfJoints
+from coscrew_codegen.scene.readers.sdf.sdf_joints import AXES, GEARBOX, SdfJoints
 from coscrew_codegen.scene.readers.xml_files.xml import Element
 
 CLOSURES: Mapping[str, LoopKind] = {
@@ -29,7 +29,8 @@ class SdfLoops(SdfJoints):
     def close(self, opened: bool) -> None:
         """Find the joints that close loops; `opened`: leave them out.  Raises SceneError for those
         that no closure is like."""
-        joints = [(full, x, scope) for full, (x, scope) in self.frames.items() if x.tag == "joint"]
+        joints = [(full, x, scope) for full, (x, scope) in self.frames.items()
+                  if x.tag == "joint" and x.attributes.get("type") != GEARBOX]
         held, group = dict[str, str](), dict[str, str]()  # joint by child; a link of its group
         for full, joint, scope in sorted(joints, key=lambda x: _order(x[1])):
             parent, child = self.ends(joint, scope)
