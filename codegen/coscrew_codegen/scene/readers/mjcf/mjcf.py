@@ -182,5 +182,5 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
 READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
     "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
-    "closed loops, gravity and its compensation; shapes that touch change no motion yet", _parts,
+    "closed loops, gravity and its compensation, shapes for [effects.contact]", _parts,
     modules=("mujoco",), extra="mjcf", leaves_out=tuple(GROUPS))

@@ -94,5 +94,5 @@ def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:
 
 READER = ModelReader(
     "URDF", (".urdf",), "a robot of ROS: its links and joints, with inertias, limits, dynamics and "
-    "mimics, and visual shapes for pictures, and collision shapes, which change no motion yet",
+    "mimics, visual shapes for pictures, and collision shapes for [effects.contact]",
     urdf_parts, takes_packages=True)
