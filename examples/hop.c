@@ -15,8 +15,8 @@ typedef struct {
 
 /* The force of the leg's motor, that shortens it, at the measured state. */
 static double force(controller *its, const double q[HOPPER_NQ], const double v[HOPPER_NV]) {
-  double point[3], press[3], depth, share;
-  hopper_contacts(q, v, point, press, &depth, &share);
+  double point[3], press[3], depth, share, normal[3];
+  hopper_contacts(q, v, point, press, &depth, &share, normal);
   const int flies = press[2] <= 0, top = flies && its->rate > 0 && v[0] <= 0;
   if (top) its->thrust += GAIN * (HEIGHT - q[0]);
   if (its->thrust > LIMIT) its->thrust = LIMIT;
@@ -31,9 +31,9 @@ int main(void) {
   controller its = { 40, 0 };
   q[0] = 0.45;
   for (int tick = 0; tick < 40000; tick++) {
-    double point[3], press[3], depth, share;
+    double point[3], press[3], depth, share, normal[3];
     const double tau[HOPPER_NV] = { 0, force(&its, q, v) };
-    hopper_contacts(q, v, point, press, &depth, &share);
+    hopper_contacts(q, v, point, press, &depth, &share, normal);
     printf("%g %.9g %.9g %.9g\n", tick * TICK, q[0], press[2], tau[1]);
     hopper_step_leapfrog_tau(TICK, q, v, tau);
   }
