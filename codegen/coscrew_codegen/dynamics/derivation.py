@@ -95,6 +95,8 @@ class Derivation:
                 return len(self.linear.names)
             case AxisLength.BASE:
                 return len(self.linear.base.places)
+            case AxisLength.LOOPS:
+                return len(self.scene.model.loops)
             case AxisLength.ROWS:
                 return sum(x.kind.count for x in self.scene.model.loops)
             case AxisLength.CONTACTS:
