@@ -257,7 +257,7 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
                                 cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     message = {x.communicate()[0] for x in running}
     assert len(message) == 1 and message != {""} and {x.returncode for x in running} == {0}
-    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".o"}
+    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".o", ".function"}
 
 
 def test_of_processes_at_once_one_derives(path: Path):
