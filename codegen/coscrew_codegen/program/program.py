@@ -119,6 +119,10 @@ class Program:
         """The hash, computed once: caches need it often."""
         return hash((self.name, self.instructions, self.results, self.wide))
 
+    def __getstate__(self) -> Mapping[str, object]:
+        """Returns what is pickled: all but the hash, since other processes hash texts otherwise."""
+        return {name: x for name, x in vars(self).items() if name != "_hash"}
+
     @property
     def counts(self) -> Mapping[Op, int]:
         """Number of instructions of each kind."""

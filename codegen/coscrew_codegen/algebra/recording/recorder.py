@@ -207,6 +207,14 @@ class Recorder:
                                              tuple(self._instructions), results))
         return named(program, self._parts, self._labels, self._by_name)
 
+    def end(self) -> None:
+        """Forgets the recording, whose program is made: numbers and effects refer to each other,
+        and would keep all instructions until Python's garbage collector runs, which took a seventh
+        of the time of derivations."""
+        for held in (self._instructions, self._by_name, self._issued, self._parts, self._labels,
+                     self._replays):
+            held.clear()
+
 
 def headings(program: Program) -> tuple[tuple[int, str], ...]:
     """(index, heading) of each instruction at which the heading changes."""
