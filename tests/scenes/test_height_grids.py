@@ -107,8 +107,9 @@ def test_a_plane_of_points_is_a_plane(tmp_path: Path) -> None:
     ("y,0,1\n0,1,2\n1,2,x", "line 3: 'x'"),
     ("y,0,1,3\n0,1,2,3\n1,2,3,4", "x 1 after 0; wanted even steps, here of 1.5"),
     ("y,0,1\n1,1,2\n0,2,3", "y 0 after 1; wanted places that increase"),
-    ("y," + ",".join(map(str, range(13))) + "".join(
-        f"\n{i}" + ",0" * 13 for i in range(10)), "has 130 heights; wanted at most 128")])
+    ("y," + ",".join(map(str, range(2**10))) + "".join(
+        f"\n{i}" + ",0" * 2**10 for i in range(2**10 + 1)),
+     "has 1049600 heights; wanted at most 1048576")])
 def test_tables_that_are_no_grid_are_refused(tmp_path: Path, table: str, words: str) -> None:
     with pytest.raises(SceneError, match=words):
         read_scene(scene(tmp_path, table))

@@ -69,6 +69,11 @@ class Block:
                 for x in c_elementary.written(self.working, self.made.called, nested=True)]
 
     @property
+    def tables(self) -> str:
+        """The tables that they read."""
+        return self.made.tables
+
+    @property
     def texts(self) -> Iterator[str]:
         """Yields the texts of all functions that compute."""
         yield from (x.body for x in self.functions)

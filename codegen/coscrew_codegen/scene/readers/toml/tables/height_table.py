@@ -14,7 +14,7 @@ from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 
-_SIZE = 2**20  # bytes
+_SIZE = 2**25  # bytes
 _UNEVEN = Fraction(1, 10**6)
 """Difference of two spacings, relative to them, below which they are the same."""
 
