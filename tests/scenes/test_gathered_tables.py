@@ -20,7 +20,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.in_python import FLOATS
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.program.scene_functions import SceneFunctions
-from coscrew_codegen.program.tables import Column, Table, index_of
+from coscrew_codegen.program.tables import ConstantTable, TableColumn, index_of
 from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.program.values.table_arrays import rounded
 from coscrew_codegen.runtime.load import kernels_of
@@ -33,8 +33,8 @@ from tests.support.scenes.cuda_runs import compared
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import inputs, same_bits
 
-ROWS = Table(tuple(map(Fraction, ("0.1", 7, -3, "1e-9", 5, 11))), 2, 2)
-OVERLAPPING = Table(tuple(map(Fraction, range(10, 17))), 1, 4)
+ROWS = ConstantTable(tuple(map(Fraction, ("0.1", 7, -3, "1e-9", 5, 11))), 2, 2)
+OVERLAPPING = ConstantTable(tuple(map(Fraction, range(10, 17))), 1, 4)
 
 
 @pytest.mark.parametrize("x, index", [
@@ -46,12 +46,12 @@ def test_an_index_is_an_integer_part_within_the_rows(x: float, index: int) -> No
 
 def test_rows_may_overlap() -> None:
     assert (ROWS.rows, OVERLAPPING.rows) == (3, 4)
-    assert [Column(ROWS, 1).at(k) for k in range(4)] == [7, Fraction("1e-9"), 11, 11]
-    assert Column(OVERLAPPING, 3).values == (13, 14, 15, 16)
-    assert Column(OVERLAPPING, 1).values == (11, 12, 13, 14)
+    assert [TableColumn(ROWS, 1).at(k) for k in range(4)] == [7, Fraction("1e-9"), 11, 11]
+    assert TableColumn(OVERLAPPING, 3).values == (13, 14, 15, 16)
+    assert TableColumn(OVERLAPPING, 1).values == (11, 12, 13, 14)
 
 
-def reading(columns: list[Column]) -> Program:
+def reading(columns: list[TableColumn]) -> Program:
     """The columns' numbers at x, and x's index."""
     recorder = Recorder([array("x", ())])
     (x,) = recorder.argument("x")
@@ -62,38 +62,39 @@ def reading(columns: list[Column]) -> Program:
 def test_constant_indices_and_equal_numbers_fold() -> None:
     recorder = Recorder([array("x", ())])
     (x,) = recorder.argument("x")
-    same = Table((Fraction(1), Fraction(4), Fraction(2), Fraction(4)), 2, 2)
-    assert n.gather(Column(ROWS, 1), recorder.number(Fraction(3, 2))).constant == Fraction("1e-9")
-    assert n.gather(Column(same, 1), x).constant == 4
-    assert n.gather(Column(same, 0), x).constant is None
+    same = ConstantTable((Fraction(1), Fraction(4), Fraction(2), Fraction(4)), 2, 2)
+    at = recorder.number(Fraction(3, 2))
+    assert n.gather(TableColumn(ROWS, 1), at).constant == Fraction("1e-9")
+    assert n.gather(TableColumn(same, 1), x).constant == 4
+    assert n.gather(TableColumn(same, 0), x).constant is None
     assert n.index(recorder.number(Fraction(-1, 2)), 3).constant == 0
 
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
 def test_arrays_and_numbers_read_the_same(precision: Precision) -> None:
-    program = reading([Column(ROWS, 0), Column(OVERLAPPING, 2)])
+    program = reading([TableColumn(ROWS, 0), TableColumn(OVERLAPPING, 2)])
     places = np.array([nan, -inf, -2, 0, 0.5, 1, 1.5, 2, 2.5, 3, 99, inf], precision.numpy_type)
-    found = evaluator(program, precision)([[places]])
+    results = evaluator(program, precision)([[places]])
     for k, x in enumerate(places):
         exact = evaluate(program, [[float(x)]], FLOATS)
-        assert [y[k] for y in found] == [getattr(np, precision.numpy_type)(y) for y in exact]
+        assert [y[k] for y in results] == [getattr(np, precision.numpy_type)(y) for y in exact]
 
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
 def test_numbers_are_rounded_once(precision: Precision) -> None:
-    """Also just beside the middle of two numbers of single precision, and below normal ones."""
+    """Takes values beside the middle of two numbers of single precision, and tiny ones."""
     middle = 1 + Fraction(1, 2**24)
     values = (middle, middle + Fraction(1, 2**80), middle - Fraction(1, 2**80), Fraction("0.1"),
               Fraction(3, 2**150), Fraction(1, 2**150) + Fraction(1, 2**200), Fraction(0))
-    found = rounded(Table(values, 1, 1), precision)
-    assert [float(x).hex() for x in found] == [float(precision.rounded(x)).hex() for x in values]
+    results = rounded(ConstantTable(values, 1, 1), precision)
+    assert [float(x).hex() for x in results] == [float(precision.rounded(x)).hex() for x in values]
 
 
 # trajectories, as the rows of exact arithmetic say
 
 
 def exactly(own: Interpolant, t: Fraction) -> Fraction:
-    """The piecewise cubic in rationals, with pieces found by a plain search."""
+    """The piecewise cubic in rationals, with pieces results by a plain search."""
     def number(x: Fraction) -> Fraction:
         return x
 
@@ -182,9 +183,9 @@ def test_kernels_are_near_the_exact_polynomial(tmp_path: Path, kind: str, precis
     functions = getattr(load_scene(scene(tmp_path, own), functions=["bias_torques"]),
                         precision.name)
     t = edges(own, number)
-    found = torques(functions, t)
+    results = torques(functions, t)
     u = precision.u
-    for x, y in zip(t.tolist(), found.tolist(), strict=True):
+    for x, y in zip(t.tolist(), results.tolist(), strict=True):
         at = Fraction(x)
         steepest = max(abs(exactly(own.rate, at + e)) for e in (-u * abs(at), 0, u * abs(at)))
         wanted = exactly(own, at)
@@ -241,7 +242,7 @@ def test_c_numpy_and_many_states_have_the_same_bits(kind: str, tmp_path: Path,
 @pytest.mark.parametrize("flags", [("-O2", *HASWELL, "-ffp-contract=fast"), ("-O0", *SANITIZERS)],
                          ids=["fused", "sanitized"])
 def test_cuda_on_the_host_has_the_same_bits(flags: tuple[str, ...], tmp_path: Path) -> None:
-    """Also where sanitizers watch the conversion of indices and the reads of tables."""
+    """Sanitizers watch the conversion of indices and the reads of tables."""
     made = of_scene(driven(tmp_path, "nearly even"))
     assert compared(made, tmp_path, CXX_COMPILERS[0], *flags) > 1000
 

@@ -14,7 +14,7 @@ import mpmath
 
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref, constant
 from coscrew_codegen.program.interpreter import exactly
-from coscrew_codegen.program.tables import Column
+from coscrew_codegen.program.tables import TableColumn
 
 DIGITS = 60
 """Decimal digits of constants that are not short fractions: far beyond double precision."""
@@ -234,7 +234,7 @@ def _select(known: Known, test: Operand, a: Operand, b: Operand) -> Operand | No
     return None
 
 
-def _gather(known: Known, column: Column, index: Operand) -> Constant | None:
+def _gather(known: Known, column: TableColumn, index: Operand) -> Constant | None:
     if column.only is not None:
         return constant(column.only)
     return Constant(column.at(index.double), column.at(index.single)) \

@@ -14,7 +14,7 @@ from typing import Any, Generic, TypeVar
 from coscrew_codegen.program.ops import ERROR_OF, Op
 from coscrew_codegen.program.program import Constant, Input, Instruction, Operand, Program, Ref
 from coscrew_codegen.program.program import constant as number
-from coscrew_codegen.program.tables import Column, index_of
+from coscrew_codegen.program.tables import TableColumn, index_of
 from coscrew_codegen.program.two_over_pi import chunk
 
 V = TypeVar("V")
@@ -31,7 +31,7 @@ class Arithmetic(Generic[V]):
     constant: Callable[[Constant], V]
     function: Callable[[Instruction, int], Callable[..., V]]
     not_a_number: V | None = None
-    column: Callable[[Column], Any] = lambda x: x
+    column: Callable[[TableColumn], Any] = lambda x: x
 
 
 def interpreter(program: Program, arithmetic: Arithmetic[V]
@@ -74,7 +74,7 @@ def number_of(x: Operand, program: Program, arithmetic: Arithmetic[V]) -> V:
     NaN."""
     if isinstance(x, Constant):
         return arithmetic.constant(x)
-    if isinstance(x, Column):
+    if isinstance(x, TableColumn):
         made: V = arithmetic.column(x)
         return made
     if arithmetic.not_a_number is None:
@@ -91,7 +91,7 @@ def evaluate(program: Program, inputs: Sequence[Sequence[V]],
 def by_operation(constant: Callable[[Constant], V], operations: Mapping[Op, Callable[..., V]],
                  not_a_number: V | None = None) -> Arithmetic[V]:
     """The Arithmetic whose operations are in a table."""
-    def gathered(column: Column, index: object) -> V:
+    def gathered(column: TableColumn, index: object) -> V:
         return constant(number(column.at(index)))
 
     known = {Op.GATHER: gathered} | dict(operations)

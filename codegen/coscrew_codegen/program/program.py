@@ -13,7 +13,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
-from coscrew_codegen.program.tables import Column
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.quantity import Argument
 
 
@@ -61,7 +61,7 @@ class NotANumber:
     """NaN, for results that are undefined."""
 
 
-Operand = Input | Constant | NotANumber | Ref | Column
+Operand = Input | Constant | NotANumber | Ref | TableColumn
 
 
 def name_of(x: Operand) -> str:

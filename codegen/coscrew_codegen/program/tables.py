@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from coscrew_codegen.program.program import Program
 
 @dataclass(frozen=True, repr=False)
-class Table:
+class ConstantTable:
     """The numbers of a table, exact, in rows."""
 
     values: tuple[Fraction, ...]
@@ -23,7 +23,7 @@ class Table:
     width: int
 
     def __repr__(self) -> str:
-        return f"Table({self.name})"
+        return f"ConstantTable({self.name})"
 
     def __hash__(self) -> int:
         return self._hash
@@ -47,10 +47,10 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Column:
+class TableColumn:
     """The number at a place of every row, as an operand of the instruction that reads a table."""
 
-    table: Table
+    table: ConstantTable
     place: int = field(default=0)
 
     def at(self, index: Any) -> Fraction:
@@ -77,7 +77,7 @@ def index_of(x: Any, count: Any) -> int:
     return int(x) if x < count else int(count) - 1
 
 
-def tables_of(programs: "Iterable[Program]") -> tuple[Table, ...]:
+def tables_of(programs: "Iterable[Program]") -> tuple[ConstantTable, ...]:
     """The tables that programs read, in the order of their first uses."""
     return tuple(dict.fromkeys(x.table for program in programs for step in program.instructions
-                               for x in step.operands if isinstance(x, Column)))
+                               for x in step.operands if isinstance(x, TableColumn)))

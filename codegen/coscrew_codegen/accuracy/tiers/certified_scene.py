@@ -55,7 +55,7 @@ from coscrew_codegen.program import (
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.program.reported_error import ReportedError
-from coscrew_codegen.program.tables import Column
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.program.values.table_arrays import rounded
 
@@ -201,7 +201,7 @@ def _of_index(sizes: Sizes, step: Instruction) -> Size:
 
 def _of_gathered(sizes: Sizes, step: Instruction) -> Size:
     of, at = step.operands
-    assert isinstance(of, Column)
+    assert isinstance(of, TableColumn)
     exact = all(x == Fraction(y) for x, y in zip(
         of.table.values, rounded(of.table, sizes.precision).tolist(), strict=True))
     s = sizes.do(Op.ABS, Ref(step.name))

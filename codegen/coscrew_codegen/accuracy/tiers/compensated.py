@@ -30,7 +30,7 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.program.tables import Table
+from coscrew_codegen.program.tables import ConstantTable
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.table_arrays import rounded
 
@@ -221,7 +221,7 @@ def rest_of(x: Constant, precision: Precision = DOUBLE) -> Constant | None:
 
 
 @lru_cache(8)
-def rest_of_table(x: Table, precision: Precision) -> Table:
+def rest_of_table(x: ConstantTable, precision: Precision) -> ConstantTable:
     """The table of the rounded rests of a table's numbers beyond their roundings."""
     def rest(value: Fraction, near: float) -> Fraction:
         left = value - Fraction(near)

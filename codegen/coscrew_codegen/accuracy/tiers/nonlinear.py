@@ -21,7 +21,7 @@ from coscrew_codegen.accuracy.tiers.compensated import (
 )
 from coscrew_codegen.program import ONE, ZERO, Instruction, Op, Operand, Ref, constant
 from coscrew_codegen.program.ops import COMPARISONS, ERROR_OF
-from coscrew_codegen.program.tables import Column
+from coscrew_codegen.program.tables import TableColumn
 
 Lows = list[Operand | None]
 Low = Callable[[Carrier, Instruction, Lows], Operand | None]
@@ -206,7 +206,7 @@ def _selected(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
 def _gathered(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
     """lo of a table's number: that of another table, in the same row."""
     of, at = step.operands
-    assert isinstance(of, Column)
+    assert isinstance(of, TableColumn)
     rests = rest_of_table(of.table, c.precision)
     column = replace(of, table=rests)
     return c.issue(step, Op.GATHER, (column, at), "lo") if any(column.values) else None

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.program import Constant, Op, Operand
-from coscrew_codegen.program.tables import Column
+from coscrew_codegen.program.tables import TableColumn
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder
@@ -85,7 +85,7 @@ def index(x: Number, count: int) -> Number:
     return x._with(Op.INDEX, x, count)
 
 
-def gather(column: Column, at: Number) -> Number:
+def gather(column: TableColumn, at: Number) -> Number:
     """The column's number in the row `at`."""
     return Number(at.recorder, at.recorder.issue(Op.GATHER, (column, at.operand)))
 

@@ -9,13 +9,13 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
-from coscrew_codegen.backends.c import c_tables
 from coscrew_codegen.backends.c.c_statements import (
     ELEMENTARY,
     chunk_of_two_over_pi,
     sine_and_cosine,
 )
 from coscrew_codegen.backends.c.c_together import Together
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import (
     CALL,
     CHOICE,

@@ -2,18 +2,18 @@
 
 from collections.abc import Iterable
 
-from coscrew_codegen.backends.c import c_tables
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.program import Constant, Instruction, Program
 from coscrew_codegen.program.ops import OF_TABLES
-from coscrew_codegen.program.tables import Column, tables_of
+from coscrew_codegen.program.tables import TableColumn, tables_of
 from coscrew_codegen.program.values.formats import Precision
 
 
 def spelled(step: Instruction) -> str:
     """A pattern of an operation of tables."""
     of, at = step.operands
-    if isinstance(of, Column):
+    if isinstance(of, TableColumn):
         return f"table_{of.table.name}({{1}}, {of.place})"
     assert isinstance(at, Constant)
     return f"index({{0}}, {int(at.double)})"

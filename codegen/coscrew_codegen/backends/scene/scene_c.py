@@ -11,10 +11,10 @@ from functools import partial
 
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends import version
-from coscrew_codegen.backends.c import c_tables
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.backends.c.c_stores import Layout
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments

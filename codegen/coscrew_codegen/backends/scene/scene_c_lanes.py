@@ -10,9 +10,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from coscrew_codegen.backends.c import c_elementary, c_tables
+from coscrew_codegen.backends.c import c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_statements import comment_of
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.python_extension.scene_calls import callables
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene import scene_c_tier, scene_text

@@ -7,9 +7,10 @@ from functools import cached_property
 
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.backends.c import c_elementary, c_tables
+from coscrew_codegen.backends.c import c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.scene import scene_c, scene_c_runtime, scene_text
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments

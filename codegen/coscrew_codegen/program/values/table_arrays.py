@@ -4,12 +4,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from coscrew_codegen.program.tables import Column, Table
+from coscrew_codegen.program.tables import ConstantTable, TableColumn
 from coscrew_codegen.program.values.formats import SINGLE, Precision
 
 
 @lru_cache(16)  # both precisions of some tables, which may be large
-def rounded(table: Table, precision: Precision) -> np.ndarray:
+def rounded(table: ConstantTable, precision: Precision) -> np.ndarray:
     """The numbers of a table, each rounded to nearest, ties to even."""
     made = np.array([x.numerator / x.denominator for x in table.values])
     if precision.digits != SINGLE.digits:
@@ -27,7 +27,7 @@ def indices(x: np.ndarray, count: float) -> np.ndarray:
     return np.where(x > 0, np.minimum(x, count - 1), 0).astype(np.int64)
 
 
-def gathered(precision: Precision, column: Column, at: np.ndarray) -> np.ndarray:
+def gathered(precision: Precision, column: TableColumn, at: np.ndarray) -> np.ndarray:
     """The column's numbers in the rows of these indices."""
     of = column.table
     result: np.ndarray = rounded(of, precision)[of.stride * indices(at, of.rows) + column.place]

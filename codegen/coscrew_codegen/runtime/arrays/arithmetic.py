@@ -15,7 +15,7 @@ from coscrew_codegen.program.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
 from coscrew_codegen.program.in_python import in_python
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation
-from coscrew_codegen.program.tables import Column
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.two_over_pi import chunks
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.program.values.table_arrays import rounded
@@ -95,7 +95,7 @@ def _index(library: ArrayLibrary, precision: Precision, x: Array, count: float) 
     return library.xp.floor(where(inside < count, inside, library.xp.zeros_like(x) + (count - 1)))
 
 
-def _gathered(library: ArrayLibrary, precision: Precision, column: Column, at: Array) -> Array:
+def _gathered(library: ArrayLibrary, precision: Precision, column: TableColumn, at: Array) -> Array:
     """The column's number in the row `at`."""
     of = column.table
     row = _index(library, precision, at, of.rows)

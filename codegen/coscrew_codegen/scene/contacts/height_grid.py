@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from coscrew_codegen.program.tables import Column, Table
+from coscrew_codegen.program.tables import ConstantTable, TableColumn
 from coscrew_codegen.scene.formulas import Formula, V
 
 MOST = 2**20
@@ -54,9 +54,10 @@ class HeightGrid(Formula):
         (column, across), (row, along) = (self._cell(f, k) for k in range(2))
         stride = len(self.rows[0]) + 2
         at = row * stride + (column + f["number"](Fraction(1, 2)))  # no rounding leaves the row
-        result: V = _sum([own * _sum([weight * f["gather"](Column(self._points, i * stride + k), at)
-                                      for k, weight in enumerate(across)])
-                          for i, own in enumerate(along)])
+        rows = [[f["gather"](TableColumn(self._points, i * stride + k), at) for k in range(4)]
+                for i in range(4)]
+        result: V = _sum([weight * _sum([w * z for w, z in zip(across, heights, strict=True)])
+                          for weight, heights in zip(along, rows, strict=True)])
         return result
 
     def _cell(self, f: Any, k: int) -> tuple[Any, list[Any]]:
@@ -73,13 +74,13 @@ class HeightGrid(Formula):
                       for row, (a, b, c, d) in zip(_WEIGHTS, weights, strict=True)]
 
     @cached_property
-    def _points(self) -> Table:
+    def _points(self) -> ConstantTable:
         """The heights, with lines beyond the edges that go on straight, by row; every cell reads
         four heights of four rows."""
         rows = [_straight(row) for row in self.rows]
         first, last = ([2 * a - b for a, b in zip(rows[i], rows[k], strict=True)]
                        for i, k in ((0, 1), (-1, -2)))
-        return Table(tuple(z for row in (first, *rows, last) for z in row), 1,
+        return ConstantTable(tuple(z for row in (first, *rows, last) for z in row), 1,
                      3 * len(first) + 4)
 
 

@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
-from coscrew_codegen.program.tables import Column, Table
+from coscrew_codegen.program.tables import ConstantTable, TableColumn
 from coscrew_codegen.scene.formulas import Formula, V
 
 MOST = 100_000
@@ -50,18 +50,18 @@ class Interpolant(Formula):
         "less", "where" and "gather"."""
         f: Any = functions
         row = self._row(f, t)
-        start, a, b, c, d = (f["gather"](Column(self._cubics, k), row) for k in range(5))
+        start, a, b, c, d = (f["gather"](TableColumn(self._cubics, k), row) for k in range(5))
         s = t - start
         result: V = ((3 * d) * s + 2 * c) * s + b if self.is_rate else ((d * s + c) * s + b) * s + a
         return result
 
     @cached_property
-    def _cubics(self) -> Table:
+    def _cubics(self) -> ConstantTable:
         return _cubics(self.times, self.values)
 
     def _row(self, f: Any, t: Any) -> Any:
         """The last row that starts before t, or the first."""
-        starts = Column(self._cubics, 0)
+        starts = TableColumn(self._cubics, 0)
         half = f["number"](Fraction(1, 2))
         if (step := self._even) is not None:
             first, per = f["number"](self.times[0]), f["number"](1 / step)
@@ -80,7 +80,7 @@ class Interpolant(Formula):
 
 
 @lru_cache(8)  # a value and its rate read the same table
-def _cubics(times: Sequence[Fraction], values: Sequence[Fraction]) -> Table:
+def _cubics(times: Sequence[Fraction], values: Sequence[Fraction]) -> ConstantTable:
     """A constant, the cubic after each point, a constant: of each its start, and the coefficients
     of powers of the time since then."""
     slopes, none = _slopes(times, values), (Fraction(0),) * 3
@@ -91,10 +91,10 @@ def _cubics(times: Sequence[Fraction], values: Sequence[Fraction]) -> Table:
         rows.append((start, y, slopes[i], (3 * mean - 2 * slopes[i] - slopes[i + 1]) / h,
                      (slopes[i] + slopes[i + 1] - 2 * mean) / h**2))
     rows.append((times[-1], values[-1], *none))
-    return Table(tuple(x for row in rows for x in row), 5, 5)
+    return ConstantTable(tuple(x for row in rows for x in row), 5, 5)
 
 
-def _later(f: Any, t: Any, starts: Column, row: Any, more: int) -> Any:
+def _later(f: Any, t: Any, starts: TableColumn, row: Any, more: int) -> Any:
     """A row, or one that is `more` rows behind it if that starts before t."""
     other = row + more
     return f["where"](f["less"](t, f["gather"](starts, other)), row, other)

@@ -9,7 +9,7 @@ from coscrew_codegen.backends.c.c_statements import WIDTH, listed
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.program import Constant, Instruction, Program
 from coscrew_codegen.program.ops import OF_TABLES
-from coscrew_codegen.program.tables import Column, Table, tables_of
+from coscrew_codegen.program.tables import ConstantTable, TableColumn, tables_of
 from coscrew_codegen.program.values.formats import BY_NAME, Precision
 from coscrew_codegen.program.values.table_arrays import rounded
 
@@ -17,7 +17,7 @@ from coscrew_codegen.program.values.table_arrays import rounded
 def spelled(step: Instruction, precision: Precision) -> str:
     """A pattern of an operation of tables."""
     of, at = step.operands
-    if isinstance(of, Column):
+    if isinstance(of, TableColumn):
         return f"ksl_table_{of.table.name}{precision.called}({{1}}, {of.place})"
     assert isinstance(at, Constant)
     call = f"ksl_index{precision.called}({{0}}, {int(at.double)})"
@@ -40,7 +40,7 @@ def written(programs: Iterable[Program], precision: Precision) -> str:
                   tables=[holes(x, precision, precision.suffix) for x in tables_of(known)])
 
 
-def holes(table: Table, precision: Precision, suffix: str = "") -> dict[str, object]:
+def holes(table: ConstantTable, precision: Precision, suffix: str = "") -> dict[str, object]:
     """Returns a template's data for a table; literals, the shortest decimals that round to its
     numbers, end in the suffix."""
     numbers = [f"{x}{suffix}" for x in rounded(table, precision)]
