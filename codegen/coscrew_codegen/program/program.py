@@ -13,6 +13,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.quantity import Argument
 
 
@@ -60,7 +61,7 @@ class NotANumber:
     """NaN, for results that are undefined."""
 
 
-Operand = Input | Constant | NotANumber | Ref
+Operand = Input | Constant | NotANumber | Ref | TableColumn
 
 
 def name_of(x: Operand) -> str:
@@ -217,6 +218,6 @@ def in_words(numbers: Mapping[Op, int]) -> str:
     order = (Op.MUL, Op.HIGH_PRODUCT, Op.WIDE_PRODUCT, Op.ADD, Op.ROUNDED_SHIFT,
              Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN, Op.COS, Op.ATAN2,
              Op.EXP, Op.TANH, *ERROR_OF.values(), Op.POWER, Op.TWO_OVER_PI, Op.NEG, Op.ABS,
-             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
+             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT, Op.INDEX, Op.GATHER)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

@@ -165,7 +165,7 @@ class Recorder:
             lambda x: Number(self, x),
             lambda step, _: lambda *numbers: Number(self, self.issue(
                 step.op, tuple(x.operand for x in numbers))),
-            Number(self, NotANumber()))
+            Number(self, NotANumber()), lambda x: Number(self, x))
 
     def _issued_of(self, op: Op, *operands: Operand) -> Operand:
         return self.issue(op, operands)
