@@ -15,6 +15,9 @@ from coscrew_codegen.program.roundoff import Upward
 from coscrew_codegen.program.values.formats import Precision
 
 
+_UNBOUNDED = Upward(inf)
+
+
 class FloatRounding:
     """The rule of a precision.  One that is `plain` bounds roundings by exact values alone, as
     statements without stated ranges do."""
@@ -42,7 +45,8 @@ class FloatRounding:
             return Upward(inf if before else 0), before
         mantissa, exponent = frexp(before)
         binade = exponent - 1 - (mantissa == 0.5 and not self._plain)
-        return max(Upward(ldexp(self._u, binade)), self._eta), self._known(self._up(before))
+        own = max(Upward(ldexp(self._u, binade)), self._eta)
+        return own, _UNBOUNDED if self._plain else Upward(self._up(before))
 
     def function(self, step: Instruction, x: RoundedRange, size: Upward) -> tuple[Upward, Upward]:
         """Bounds a sine's or cosine's own error and size: up to s, its ulp is at most 2 u s, and at

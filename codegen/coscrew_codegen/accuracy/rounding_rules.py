@@ -20,6 +20,7 @@ from fractions import Fraction
 from math import inf, nextafter
 from typing import NamedTuple, Protocol
 
+from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -102,19 +103,21 @@ class ValueBounds:
             Op.ADD: self._total, Op.SUB: self._total, Op.MUL: self._product,
             Op.DIV: self._quotient, Op.SIN: self._circular, Op.COS: self._circular,
             Op.NEG: lambda _, x: x[0]._replace(own=Upward(0), low=Upward(0), quadratic=None)}
-        for step in program.instructions:
-            apply = rules.get(step.op)
-            self.by_name[step.name] = UNKNOWN if apply is None else apply(
-                step, [self.of(x) for x in step.operands])
+        with uncollected():  # it took 0.4 of the time
+            for step in program.instructions:
+                apply = rules.get(step.op)
+                self.by_name[step.name] = UNKNOWN if apply is None else apply(
+                    step, [self.of(x) for x in step.operands])
         self.results = tuple(self.of(x) for x in program.results)
 
     def of(self, x: Operand) -> RoundedRange:
         """The bounds of an operand."""
         if isinstance(x, Ref):
             return self.by_name[x.name]
-        if x not in self._other:
-            self._other[x] = self._leaf(x)
-        return self._other[x]
+        known = self._other.get(x)
+        if known is None:
+            known = self._other[x] = self._leaf(x)
+        return known
 
     def _leaf(self, x: Operand) -> RoundedRange:
         if isinstance(x, Input):
@@ -166,10 +169,13 @@ class ValueBounds:
         if quadratic:
             size = min(size, _largest(quadratic))
         result = self._rounded(step, operands, size, error, a.computed * b.computed)
+        if not a.circular and not b.circular:
+            return result._replace(quadratic=quadratic) if quadratic else result
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
                 rest = x.error * y.size + a.error * b.error + result.own
-                return result._replace(circular=x.circular, factor=y, rest=rest)
+                return RoundedRange(size, result.error, result.computed, Upward(0), x.circular, y,
+                                    rest, None, result.own)
         return result._replace(quadratic=quadratic) if quadratic else result
 
     def _square(self, a: Operand, b: Operand) -> Quadratic | None:

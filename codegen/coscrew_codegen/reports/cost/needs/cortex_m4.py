@@ -108,7 +108,7 @@ def _program(function: FunctionProgram, header: str, name: str, given: Sequence[
     """A program that calls the function with one state, and writes its results."""
     kind, suffix = precision.c_type, precision.suffix
     arguments, lines = [], []
-    for a, x in zip(function.program.inputs, given, strict=True):
+    for a, x in zip(function.inputs, given, strict=True):
         numbers = ", ".join(str(y) if isinstance(y, np.integer) else f"{float(y).hex()}{suffix}"
                             for y in np.ravel(x))
         lines.append(f"static volatile {kind} {a.name}_[] = {{{numbers}}};")
