@@ -14,7 +14,6 @@ from coscrew_codegen.program.program import scales
 from coscrew_codegen.program.roundoff import Upward
 from coscrew_codegen.program.values.formats import Precision
 
-
 _UNBOUNDED = Upward(inf)
 
 
