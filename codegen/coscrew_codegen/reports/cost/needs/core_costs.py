@@ -185,8 +185,9 @@ def table(costs: Sequence[CoreCost]) -> Table:
          *(f"{'' if x.counted else 'about '}{x.instructions[core]:,}" for core in CORES))
         for n, x in enumerate(costs))
     missing = cortex_m4.missing()
-    why = (f"Estimated from operations, without {' and '.join(missing)}: for arms of three to "
-           "seven joints within about 10 % of counts; of a few joints at small angles, whose sines multiply by "
-           "zeros, floating point takes up to 0.4 less.",) if missing else ()
+    why = (
+        f"Estimated from operations, without {' and '.join(missing)}: for arms of three to seven "
+        "joints within about 10 % of counts; of a few joints at small angles, whose sines multiply "
+        "by zeros, floating point takes up to 0.4 less.",) if missing else ()
     return Table(("in the stated ranges", "format", "proved", "ns here", *CORES), rows,
                  (_ABOVE, *why), title="Fixed point", texts=3)
