@@ -57,7 +57,7 @@ def committed() -> list[Counted]:
 
 
 def calibration() -> list[Counted]:
-    """Those to which the estimates are fitted."""
+    """The counts to which the estimates are fitted."""
     return [x for x in committed() if x.robot != OTHER]
 
 
@@ -102,8 +102,8 @@ def fitted(counts: Sequence[Counted]) -> Table:
         names = sorted({name for x in rows for name in x.operations})
         left = np.array([[x.operations.get(name, 0) / x.count for name in names] for x in rows])
         right = [1 - total(table, x.core, "single", x.before or {}) / x.count for x in rows]
-        found, _ = nnls(left, np.array(right))
-        table[core, kind] = {name: float(f"{n:.4g}") for name, n in zip(names, found, strict=True)
+        solution, _ = nnls(left, np.array(right))
+        table[core, kind] = {name: float(f"{n:.4g}") for name, n in zip(names, solution, strict=True)
                              if n > 0}
     return table
 

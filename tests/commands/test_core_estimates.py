@@ -1,4 +1,4 @@
-"""Instructions on cores are estimated within a tenth of the counts, but for one, also on a robot to
+"""Instructions on cores are estimated within a tenth of the counts, all except one, also on a robot to
 whose counts the estimates were not fitted."""
 
 from coscrew_codegen.reports.cost.needs import core_estimates

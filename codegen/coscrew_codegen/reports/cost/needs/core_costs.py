@@ -54,7 +54,7 @@ class CoreCost:
 
 
 @dataclass(frozen=True)
-class Variant:
+class FormatVariant:
     """A function's C in a number format."""
 
     words: str
@@ -89,7 +89,7 @@ def on_cores(scene: Scene, names: Sequence[str], compiler: Compiler,
 
 
 def counted(made: FixedScene, plain: SceneFunctions, folder: Path
-            ) -> Iterator[tuple[FixedFunction, Variant, dict[str, int]]]:
+            ) -> Iterator[tuple[FixedFunction, FormatVariant, dict[str, int]]]:
     """The instructions of a call by core, of each function in each number format.  Raises
     CountError."""
     files, tiers, plain = _files(made, plain)
@@ -128,7 +128,7 @@ def _tiers(plain: SceneFunctions) -> Iterator[SceneTier]:
 
 
 def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier],
-              f: FixedFunction) -> Iterator[Variant]:
+              f: FixedFunction) -> Iterator[FormatVariant]:
     name = f.plain.name
     scenes = [(PLAIN.name, p, plain, plain.name) for p in named(plain.precisions)]
     scenes += [(x.tier.name, p, scene, x.stem) for x in tiers for p, scene in x.in_precisions
@@ -136,19 +136,19 @@ def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier
     for tier, p, scene, stem in scenes:
         function = scene.named(name)
         words = p.name if tier == PLAIN.name else f"{p.name} {tier}"
-        yield Variant(words, tier, p, stem, stem, c_name(scene, name, p), function,
+        yield FormatVariant(words, tier, p, stem, stem, c_name(scene, name, p), function,
                        over_ranges(plain.named(name), TierChoice(tier, p)),
                        core_estimates.of_function(function, p))
     for products, fixed in f.programs.items():
         mark = scene_c_fixed.MARK[products]
-        yield Variant(f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}", made.tier.name,
+        yield FormatVariant(f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}", made.tier.name,
                        INTEGERS, f"{made.stem}{mark}", made.stem,
                        scene_c_fixed.c_name(made, f, products), f.plain,
                        [float(x.error) for x in fixed.results],
                        core_estimates.of_fixed(fixed.program, products), fixed)
 
 
-def _counted(x: Variant, f: FixedFunction, folder: Path) -> dict[str, int]:
+def _counted(x: FormatVariant, f: FixedFunction, folder: Path) -> dict[str, int]:
     """The instructions of a call at one state, by core."""
     integers = [np.array([int(_STATE * y.largest) for y in values], np.int32)
                 for values in f.inputs]
@@ -160,7 +160,7 @@ def _counted(x: Variant, f: FixedFunction, folder: Path) -> dict[str, int]:
         given, x.precision, compiler)[0] for core, compiler in CORES.items()}
 
 
-def _cost(x: Variant, f: FixedFunction, folder: Path, times: Mapping[tuple[str, str], Interval]
+def _cost(x: FormatVariant, f: FixedFunction, folder: Path, times: Mapping[tuple[str, str], Interval]
           ) -> CoreCost:
     exact = not cortex_m4.missing()
     instructions = _counted(x, f, folder) if exact else {core: x.estimate(core) for core in CORES}

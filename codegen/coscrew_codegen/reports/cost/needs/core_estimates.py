@@ -57,7 +57,7 @@ def counts_in_floats(program: Program, precision: Precision) -> Counter[str]:
 
 
 def counts_in_integers(program: Program) -> Counter[str]:
-    """The same of a Program of integers; sine and cosine of an angle are one operation."""
+    """Counts operations on integers by kind; sine and cosine of an angle are one operation."""
     wide = wide_steps(program)
     counts: Counter[str] = Counter()
     angles = set()
