@@ -102,8 +102,8 @@ def fitted(counts: Sequence[Counted]) -> Table:
         names = sorted({name for x in rows for name in x.operations})
         left = np.array([[x.operations.get(name, 0) / x.count for name in names] for x in rows])
         right = [1 - total(table, x.core, "single", x.before or {}) / x.count for x in rows]
-        solution, _ = nnls(left, np.array(right))
-        table[core, kind] = {name: float(f"{n:.4g}") for name, n in zip(names, solution, strict=True)
+        numbers, _ = nnls(left, np.array(right))
+        table[core, kind] = {name: float(f"{n:.4g}") for name, n in zip(names, numbers, strict=True)
                              if n > 0}
     return table
 

@@ -1,5 +1,5 @@
-"""Instructions on cores are estimated within a tenth of the counts, all except one, also on a robot to
-whose counts the estimates were not fitted."""
+"""Instructions on cores are estimated within a tenth of the counts, all except one, also on a
+robot to whose counts the estimates were not fitted."""
 
 from coscrew_codegen.reports.cost.needs import core_estimates
 from tests.benchmarks import core_counts

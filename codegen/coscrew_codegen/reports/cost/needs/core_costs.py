@@ -54,7 +54,7 @@ class CoreCost:
 
 
 @dataclass(frozen=True)
-class FormatVariant:
+class FormatC:
     """A function's C in a number format."""
 
     words: str
@@ -89,7 +89,7 @@ def on_cores(scene: Scene, names: Sequence[str], compiler: Compiler,
 
 
 def counted(made: FixedScene, plain: SceneFunctions, folder: Path
-            ) -> Iterator[tuple[FixedFunction, FormatVariant, dict[str, int]]]:
+            ) -> Iterator[tuple[FixedFunction, FormatC, dict[str, int]]]:
     """The instructions of a call by core, of each function in each number format.  Raises
     CountError."""
     files, tiers, plain = _files(made, plain)
@@ -128,7 +128,7 @@ def _tiers(plain: SceneFunctions) -> Iterator[SceneTier]:
 
 
 def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier],
-              f: FixedFunction) -> Iterator[FormatVariant]:
+              f: FixedFunction) -> Iterator[FormatC]:
     name = f.plain.name
     scenes = [(PLAIN.name, p, plain, plain.name) for p in named(plain.precisions)]
     scenes += [(x.tier.name, p, scene, x.stem) for x in tiers for p, scene in x.in_precisions
@@ -136,19 +136,19 @@ def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier
     for tier, p, scene, stem in scenes:
         function = scene.named(name)
         words = p.name if tier == PLAIN.name else f"{p.name} {tier}"
-        yield FormatVariant(words, tier, p, stem, stem, c_name(scene, name, p), function,
+        yield FormatC(words, tier, p, stem, stem, c_name(scene, name, p), function,
                        over_ranges(plain.named(name), TierChoice(tier, p)),
                        core_estimates.of_function(function, p))
     for products, fixed in f.programs.items():
         mark = scene_c_fixed.MARK[products]
-        yield FormatVariant(f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}", made.tier.name,
+        yield FormatC(f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}", made.tier.name,
                        INTEGERS, f"{made.stem}{mark}", made.stem,
                        scene_c_fixed.c_name(made, f, products), f.plain,
                        [float(x.error) for x in fixed.results],
                        core_estimates.of_fixed(fixed.program, products), fixed)
 
 
-def _counted(x: FormatVariant, f: FixedFunction, folder: Path) -> dict[str, int]:
+def _counted(x: FormatC, f: FixedFunction, folder: Path) -> dict[str, int]:
     """The instructions of a call at one state, by core."""
     integers = [np.array([int(_STATE * y.largest) for y in values], np.int32)
                 for values in f.inputs]
@@ -160,7 +160,7 @@ def _counted(x: FormatVariant, f: FixedFunction, folder: Path) -> dict[str, int]
         given, x.precision, compiler)[0] for core, compiler in CORES.items()}
 
 
-def _cost(x: FormatVariant, f: FixedFunction, folder: Path, times: Mapping[tuple[str, str], Interval]
+def _cost(x: FormatC, f: FixedFunction, folder: Path, times: Mapping[tuple[str, str], Interval]
           ) -> CoreCost:
     exact = not cortex_m4.missing()
     instructions = _counted(x, f, folder) if exact else {core: x.estimate(core) for core in CORES}
