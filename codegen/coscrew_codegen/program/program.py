@@ -88,9 +88,15 @@ def is_rounded(x: Operand) -> bool:
 def scales(step: Instruction) -> bool:
     """Returns whether this is a product with a constant power of two: exact barring over- and
     underflow."""
-    return step.op is Op.MUL and any(
-        isinstance(x, Constant) and x.double == x.single and is_power_of_two(x)
-        for x in step.operands)
+    if step.op is not Op.MUL:
+        return False
+    a, b = step.operands  # most are no constants: without a generator this is a third of the time
+    return (isinstance(a, Constant) and _is_exact_power(a)
+            or isinstance(b, Constant) and _is_exact_power(b))
+
+
+def _is_exact_power(x: Constant) -> bool:
+    return x.double == x.single and is_power_of_two(x)
 
 
 def is_power_of_two(x: Constant) -> bool:

@@ -37,8 +37,9 @@ class Upward(float):
         if not self or not other:
             return Upward(0)
         product = float(self) * other
-        exact = product > _NORMAL and (frexp(self)[0] == _HALF or frexp(other)[0] == _HALF)
-        return Upward(product if exact else nextafter(product, inf))
+        if product > _NORMAL and (frexp(self)[0] == _HALF or frexp(other)[0] == _HALF):
+            return Upward(product)
+        return Upward(nextafter(product, inf))
 
     def __truediv__(self, other: float) -> "Upward":
         """The quotient; infinite if the divisor is not positive."""
