@@ -18,7 +18,7 @@ from coscrew_codegen.backends.nesting import (
     numbered,
 )
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program.fixed.fixed_program import CIRCULAR
+from coscrew_codegen.program.roundoff import CIRCULAR
 from coscrew_codegen.program.values.formats import Precision
 
 _SPELLING = {Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.NEG: ("-{}", SIGN),

@@ -9,7 +9,8 @@ from collections.abc import Callable, Mapping
 
 from coscrew_codegen.backends.fixed.c_integers import integer, narrows, wide_steps
 from coscrew_codegen.program import Op, Program
-from coscrew_codegen.program.fixed.fixed_program import CIRCULAR, Products
+from coscrew_codegen.program.fixed.fixed_program import Products
+from coscrew_codegen.program.roundoff import CIRCULAR
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.whole_cost import whole_counts
