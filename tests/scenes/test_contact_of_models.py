@@ -143,3 +143,64 @@ def test_the_notice_of_falling_proposes_the_shapes_of_the_file(tmp_path: Path) -
     path.write_text(path.read_text() + ALL + "[start.q]\nbase = [0, 0, 0.2, 0, 0, 0, 1]\n")
     assert not any("nothing holds" in x for x in read_scene(path).unused)
     assert 0.098 < run(path, until=2).q[-1, 2] < 0.1
+
+
+# two bodies
+
+CAPSULE = '<capsule radius="0.1" length="0.4"/>|<origin xyz="0 0 1" rpy="1.5707963267948966 0 0"/>'
+PAIR = '[effects.contact_pair.grip]\nbodies = ["base", "hand"]\nmu = 0.5\nload = 1\n'
+
+
+def pairs(of: Scene) -> list[Applied]:
+    return [x for x in of.effects if x.effect.name == "contact_pair"]
+
+
+def test_two_bodies_touch_with_spheres_and_capsules_of_the_file(tmp_path: Path) -> None:
+    """Each shape of one with each of the other, as tables with their numbers say; a capsule's ends
+    are turned with it.  A given side has its own numbers."""
+    written = ("first = [0, 0.2, 1]\nfirst_end = [0, -0.2, 1]\nfirst_radius = 0.1\n",
+               "first = [1, 2, 3]\nfirst_radius = 0.1\n")
+    shapes = {"base": [CAPSULE, f'{SPHERE}|<origin xyz="1 2 3"/>'], "hand": [SPHERE]}
+    of_file = pairs(read_scene(scene(tmp_path, PAIR, **shapes)))
+    assert [x.name for x in of_file] == ["contact_pair.grip.0", "contact_pair.grip.1"]
+    for x, first in zip(of_file, written, strict=True):
+        (y,) = pairs(read_scene(scene(tmp_path, f"{PAIR}{first}second_radius = 0.1\n",
+                                      base=[], hand=[])))
+        assert x.values == y.values
+    (y,) = pairs(read_scene(scene(tmp_path, f"{PAIR}first_radius = 0.3\n", **shapes)))
+    assert (y.name, y.values["first_radius"], y.values["second_radius"]) == (
+        "contact_pair.grip", Fraction(3, 10), Fraction(1, 10))
+
+
+def test_balls_of_files_collide(tmp_path: Path) -> None:
+    """A file's ball and the scene's bounce off each other, at the distance of their radii."""
+    path = scene(tmp_path, "", base=[SPHERE])
+    path.write_text('model = "thing.urdf"\nbase = "free"\n'
+                    '[bodies.ball]\nmass = 1\ninertia = [0.0025, 0.0025, 0.005]\n'
+                    '[joints.ball]\ntype = "free"\nchild = "ball"\n'
+                    '[effects.contact_pair.both]\nbodies = ["base", "ball"]\nsecond_radius = 0.1\n'
+                    'mu = 0.3\nload = 1\nk = 1e6\nrestitution = 0.8\nspeed = 2\n'
+                    '[start.q]\nball = [0.25, 0, 0, 0, 0, 0, 1]\n[start.v]\n'
+                    'base = [1, 0, 0, 0, 0, 0]\nball = [-1, 0, 0, 0, 0, 0]\n')
+    result = run(path, until=0.2, precision="double")
+    q, v = result.q, result.v[-1]
+    assert v[6] - v[0] == pytest.approx(1.6, rel=5e-3)
+    assert 0.19 < (q[:, 7] - q[:, 0]).min() < 0.2
+
+
+@pytest.mark.parametrize("shapes, words", [
+    ([MESH], "bodies: the mesh of 'hand' in the model's file touches no other body; wanted "
+             "second_radius, and second for its centre, of a sphere in its place"),
+    (['<box size="1 1 1"/>', MESH], r"2 shapes \(box, mesh\) of 'hand' in the model's file touch "
+                                    "no other body"),
+    ([], "grip: second_radius: missing; wanted the radius of the second body's sphere or capsule, "
+         "or such shapes in the model's file")])
+def test_pairs_without_balls_are_refused(tmp_path: Path, shapes: list[str], words: str) -> None:
+    with pytest.raises(SceneError, match=words):
+        read_scene(scene(tmp_path, PAIR, base=[SPHERE], hand=shapes))
+
+
+def test_shapes_that_touch_no_body_beside_others_are_noted(tmp_path: Path) -> None:
+    lines = read_scene(scene(tmp_path, PAIR, base=[SPHERE], hand=[SPHERE, MESH])).unused
+    assert any(x == "the mesh of hand touches no other body, other shapes there do; write a table "
+               "[effects.contact_pair.LABEL] with second_radius for more" for x in lines)

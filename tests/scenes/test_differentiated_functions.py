@@ -91,12 +91,12 @@ def test_derivatives_of_steps(request: pytest.FixtureRequest, acting: str, integ
     check_step(request.getfixturevalue(fixture), integrator)
 
 
-def check_step(its: Scene, integrator: Integrator) -> None:
-    """A, B_tau and B_p are the tangents along unit directions."""
+def check_step(its: Scene, integrator: Integrator, **at: list[mpf]) -> None:
+    """A, B_tau and B_p are the tangents along unit directions, with these inputs."""
     name = integrator.step_with_tau
     functions = derive(its, (f"{name}_derivatives", f"{name}_tangent"))
     with mpmath.workdps(50):
-        given = arguments(its, functions, 5)
+        given = {**arguments(its, functions, 5), **at}
         whole = results(functions, f"{name}_derivatives", given)
         still = {x: [mpf(0)] * len(y) for x, y in directions(functions, f"{name}_tangent",
                                                              "d_").items()}

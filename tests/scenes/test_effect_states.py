@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import again, load_scene, run
-from coscrew_codegen.scene.function_selection import FunctionsError
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
@@ -113,13 +112,6 @@ def test_batches_and_numpy_have_the_bits_of_one_state(scene, monkeypatch):
             q, v = kernels.step_leapfrog(k * 1e-3, 1e-3, [5e5], q, v)
         ends.append((*q, *v))
     assert ends[0] == ends[1]
-
-
-@pytest.mark.parametrize("name", ["step_rk4_derivatives", "step_leapfrog_derivatives",
-                                  "step_leapfrog_tangent"])
-def test_functions_that_would_leave_them_are_no_functions_of_the_scene(scene, name):
-    with pytest.raises((FunctionsError, SceneError), match="is no function of the scene"):
-        load_scene(scene(), functions=[name])
 
 
 def test_derivatives_of_dynamics_hold_them(scene):

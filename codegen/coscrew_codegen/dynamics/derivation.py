@@ -81,8 +81,10 @@ class Derivation:
                 return self.tree.nq + count_of(states_of(self.scene))
             case AxisLength.NV:
                 return self.tree.nv
+            case AxisLength.DISPLACEMENTS:
+                return self.tree.nv + count_of(states_of(self.scene))
             case AxisLength.STATE:
-                return 2 * self.tree.nv
+                return 2 * self.tree.nv + count_of(states_of(self.scene))
             case AxisLength.BODIES:
                 return len(self.bodies)
             case AxisLength.PARAMETERS:

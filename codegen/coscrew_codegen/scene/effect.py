@@ -365,6 +365,8 @@ class Effect:
     # parts of a body on which it acts; its tables have labels
     parts_of: Callable[[Given, Collision], Sequence[Given]] | None = None  # of its values and a
     # shape of the model's file
+    side_of: Callable[[str, Collision], Given] | None = None  # of FIRST or SECOND and such a shape:
+    # the values of that side; none of shapes on which it does not act
     completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
     # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them

@@ -37,22 +37,29 @@ def results(functions: SceneFunctions, name: str, given: Values) -> Values:
 
 def moved(functions: SceneFunctions, function: SceneFunction, scene: Scene, given: Values,
           direction: Values, size: mpf) -> Values:
-    """The arguments, along a direction; coordinates along velocities."""
+    """The arguments, along a direction: coordinates along velocities, states along themselves."""
+    nv = functions.nv
     after = dict(given)
     for a in inputs_of(function, scene):
         step = [size * d for d in direction[f"d_{a.name}"]]
-        after[a.name] = (results(functions, "integrated", {"q": given[a.name], "phi": step})["qo"]
-                         if a.is_coordinates else
-                         [x + d for x, d in zip(given[a.name], step, strict=True)])
+        if a.is_coordinates:
+            whole = results(functions, "integrated", {"q": given[a.name], "phi": step[:nv]})["qo"]
+            joints = len(whole) - len(step[nv:])
+            after[a.name] = [*whole[:joints], *(
+                x + d for x, d in zip(whole[joints:], step[nv:], strict=True))]
+        else:
+            after[a.name] = [x + d for x, d in zip(given[a.name], step, strict=True)]
     return after
 
 
 def apart(functions: SceneFunctions, coordinates: bool, one: list[mpf], two: list[mpf]
           ) -> list[mpf]:
-    """The difference of two results; of coordinates, two ⊖ one."""
+    """The difference of two results; of coordinates, two ⊖ one, then that of their states."""
+    plain = [y - x for x, y in zip(one, two, strict=True)]
     if coordinates:
-        return results(functions, "difference", {"q": one, "q1": two})["phi"]
-    return [y - x for x, y in zip(one, two, strict=True)]
+        joints = len(plain) - len(functions.states)
+        return [*results(functions, "difference", {"q": one, "q1": two})["phi"], *plain[joints:]]
+    return plain
 
 
 def inlined(functions: SceneFunctions, function: SceneFunction, given: Values) -> Values:
@@ -77,13 +84,13 @@ def total(a: Values, b: Values, prefixes: tuple[str, str], names: list[str]) -> 
         a[prefixes[0] + name], b[prefixes[1] + name], strict=True))
 
 
-def check(scene: Scene, function: SceneFunction, seed: int = 3) -> None:
-    """The tangent is a difference; w·d_y = g·d_x."""
+def check(scene: Scene, function: SceneFunction, seed: int = 3, **at: list[mpf]) -> None:
+    """The tangent is a difference, at a state of this seed or with these inputs; w·d_y = g·d_x."""
     one, two = f"{function.name}_tangent", f"{function.name}_adjoint"
     own = () if function.step else (function.name,)
     functions = derive(scene, (*own, one, two, "integrated", "difference"))
     with mpmath.workdps(50):
-        given = arguments(scene, functions, seed)
+        given = {**arguments(scene, functions, seed), **at}
         direction, weights = directions(functions, one, "d_"), directions(functions, two, "w_")
         tangent = results(functions, one, {**given, **direction})
         ends = [inlined(functions, function, moved(functions, function, scene, given, direction,

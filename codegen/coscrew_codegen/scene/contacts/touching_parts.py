@@ -15,8 +15,11 @@ SHAPE_KEYS = ("shape", "point", "radius", "axis", "length", "size")
 """The values that say what touches; a contact without any of them takes its body's shapes from the
 model's file."""
 SHAPES = ("sphere", "capsule", "box", "cylinder")
-"""Shapes of a model's file that can touch."""
+"""Shapes of a model's file that can touch the ground."""
+BALLS = ("sphere", "capsule")
+"""Those that can touch other bodies, too."""
 _SIGNS = (-1, 1)
+_Z = (Fraction(0), Fraction(0), Fraction(1))
 _Offsets = list[tuple[Fraction, ...]]
 
 
@@ -46,13 +49,28 @@ def parts_of(values: Given, shape: Collision) -> Sequence[Given]:
         return _moved(values, {"shape": "sphere", "radius": shape.size[0]}, shape.t, [(0, 0, 0)])
     if shape.shape == "box":
         return _moved(values, {}, shape.t, [_turned(shape.R, x) for x in _corners(shape.size)])
-    radius, length = shape.size
-    axis = _turned(shape.R, (Fraction(0), Fraction(0), Fraction(1)))
-    own: Given = {"shape": "sphere", "radius": radius}
+    own: Given = {"shape": "sphere", "radius": shape.size[0]}
     if shape.shape == "cylinder":
-        own = {"shape": "disc", "radius": radius, "axis": axis}
-    return _moved(values, own, shape.t, [tuple(sign * length / 2 * x for x in axis)
-                                         for sign in _SIGNS])
+        own = {"shape": "disc", "radius": shape.size[0], "axis": _turned(shape.R, _Z)}
+    return _moved(values, own, shape.t, _ends(shape))
+
+
+def side_of(side: str, shape: Collision) -> Given:
+    """The values of one side of a pair, `first` or `second`, by a shape of the model's file; none
+    of a shape that touches no other body."""
+    if shape.shape not in BALLS or shape.problem:
+        return {}
+    own: Given = {side: shape.t, f"{side}_end": None, f"{side}_radius": shape.size[0]}
+    if shape.shape == "capsule":
+        ends = (tuple(a + b for a, b in zip(shape.t, x, strict=True)) for x in _ends(shape))
+        own = {**own, **dict(zip((side, f"{side}_end"), ends, strict=True))}
+    return own
+
+
+def _ends(shape: Collision) -> _Offsets:
+    """The ends of the axis of a capsule or cylinder from its centre."""
+    axis, half = _turned(shape.R, _Z), shape.size[1] / 2
+    return [tuple(sign * half * x for x in axis) for sign in _SIGNS]
 
 
 def _moved(values: Given, own: Given, centre: Sequence[Fraction],

@@ -14,7 +14,8 @@ class AxisLength(Enum):
 
     NQ = "coordinates"
     NV = "velocities"
-    STATE = "displacements and velocities"
+    DISPLACEMENTS = "displacements and states of effects"
+    STATE = "displacements, states of effects and velocities"
     BODIES = "bodies"
     PARAMETERS = "run-time parameters"
     FLOATING = "floating trees"

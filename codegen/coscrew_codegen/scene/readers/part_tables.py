@@ -55,11 +55,11 @@ def _on_body(reading: EffectTable, table: TomlTable, given: Mapping[str, object]
     """The effect on each part of a body."""
     settings = {key: x for key, x in given.items() if key != "bodies"}
     values = reading.values(table, settings, body)
-    shapes = () if any(key in given for key in SHAPE_KEYS) else _shapes(reading.model, body)
+    shapes = () if any(key in given for key in SHAPE_KEYS) else shapes_of(reading.model, body)
     usable = [x for x in shapes if touches(x)]
     if shapes and not usable:
         table.refuse("bodies" if "bodies" in given else "",
-                     f"{_listed(shapes)} of body {body!r} in the model's file cannot touch; wanted "
+                     f"{listed(shapes)} of body {body!r} in the model's file cannot touch; wanted "
                      f"a shape, as shape = \"sphere\" with radius, in a table of {body!r}")
     of_shape, of_values = required(reading.effect.parts_of), required(reading.effect.parts)
     parts = [y for x in usable for y in of_shape(values, x)] if usable else of_values(values)
@@ -68,12 +68,12 @@ def _on_body(reading: EffectTable, table: TomlTable, given: Mapping[str, object]
         yield Applied(reading.effect, body, part, label)
 
 
-def _shapes(model: Model, body: str) -> list[Collision]:
+def shapes_of(model: Model, body: str) -> list[Collision]:
     """The shapes of a body in the model's file."""
     return [x for x in model.collisions if x.body == body]
 
 
-def _listed(shapes: Sequence[Collision]) -> str:
+def listed(shapes: Sequence[Collision]) -> str:
     """Shapes by number and kind: the mesh, 2 meshes."""
     (one, count), *others = Counter(x.shape for x in shapes).items()
     if count == 1 and not others:
@@ -102,12 +102,12 @@ def _all_bodies(reading: EffectTable, elsewhere: set[str]) -> tuple[str, ...]:
 def _note_unused(reading: EffectTable, bodies: set[str]) -> None:
     """Note the shapes of the model's file that cannot touch, though others of their bodies do."""
     shapes = [x for x in reading.model.collisions if x.body in bodies and not touches(x)]
-    taken = [x for x in shapes if any(touches(y) for y in _shapes(reading.model, x.body))]
+    taken = [x for x in shapes if any(touches(y) for y in shapes_of(reading.model, x.body))]
     if taken:
         names = [*dict.fromkeys(x.body for x in taken)]
         more = ", …" * (len(names) > MANY)
         reading.use.notices.append(Notice(
-            COLLISION, f"effect {reading.effect.name}", f"{_listed(taken)} of "
+            COLLISION, f"effect {reading.effect.name}", f"{listed(taken)} of "
             f"{', '.join(names[:MANY])}{more} cannot touch, other shapes there do; write "
             f"[{reading.table.where}.{toml_key(names[0])}] with a shape for more"))
 

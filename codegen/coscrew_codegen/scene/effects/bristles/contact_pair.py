@@ -22,6 +22,7 @@ from coscrew_codegen.scene.contacts.contact_law import (
     completed,
     contact_law,
 )
+from coscrew_codegen.scene.contacts.touching_parts import side_of
 from coscrew_codegen.scene.effect import (
     FIRST,
     POINTS,
@@ -88,7 +89,12 @@ def _within(x: Number) -> Number:
 
 
 def _completed(values: Given, resting: Resting) -> Given:
-    """The values with the law's defaults, for the radius of a ball that bends as both do."""
+    """The values with the law's defaults, for the radius of a ball that bends as both do.  Raises
+    ValueError for a side without a radius."""
+    for side in (FIRST, SECOND):
+        if values[f"{side}_radius"] is None:
+            raise ValueError(f"{side}_radius: missing; wanted the radius of the {side} body's "
+                             "sphere or capsule, or such shapes in the model's file")
     radii = [x for name in ("first_radius", "second_radius")
              if isinstance(x := values[name], Fraction)]
     own = completed({**values, "radius": min(radii, default=None)}, resting)
@@ -103,8 +109,9 @@ EFFECT = Effect(
                    "capsule, in its frame", x.kind, x.default) for x in POINTS),
      *(ParameterOf(f"{x.name}_end", "m", f"centre of the other end of the {x.name} body's capsule, "
                    "in its frame", "vector", required=False) for x in POINTS),
-     *(ParameterOf(f"{x.name}_radius", "m", f"radius of the {x.name} body's sphere or capsule",
-                   positive=True) for x in POINTS),
+     *(ParameterOf(f"{x.name}_radius", "m", f"radius of the {x.name} body's sphere or capsule; "
+                   "without these keys the body has the shapes of the model's file",
+                   required=False, positive=True) for x in POINTS),
      *COMMON),
-    bodies_force=_force, stores_energy=True, completed=_completed, states=STATES,
+    bodies_force=_force, stores_energy=True, side_of=side_of, completed=_completed, states=STATES,
     switches=SWITCHES)

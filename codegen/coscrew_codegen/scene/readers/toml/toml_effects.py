@@ -14,6 +14,7 @@ from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
+from coscrew_codegen.scene.readers.toml.pair_tables import on_pairs
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 from coscrew_codegen.scene.readers.toml.trajectories.trajectory_table import is_trajectory
@@ -28,7 +29,7 @@ def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...]
     Raises SceneError for anything unknown, missing, given twice or out of range."""
     effects.only(*(effect.name for effect in catalogue))
     readers = {Place.SCENE: _on_scene, Place.JOINT: _on_several, Place.BODY: _on_several,
-               Place.PAIR: _on_pairs}
+               Place.PAIR: on_pairs}
     applied: list[Applied] = []
     for effect in catalogue:
         if effect.name in effects:
@@ -249,26 +250,6 @@ def _refuse_nowhere(reading: EffectTable) -> None:
     name = reading.table.where
     reading.table.missing(reading.several, f'{reading.several} = "{ALL}", a list of names, or '
                                            f"tables [{name}.{reading.what.upper()}]")
-
-
-def _on_pairs(reading: EffectTable) -> list[Applied]:
-    """[effects.tendon.LABEL] bodies = [a, b], …"""
-    applied = []
-    if not reading.table.values:
-        reading.table.refuse("", f"is empty; wanted tables [{reading.table.where}.LABEL]")
-    for label, value in reading.table.values.items():
-        if not isinstance(value, dict):
-            reading.table.refuse(label, f"{described(value)}; wanted a table under a label, "
-                                        f"[{reading.table.where}.LABEL], with bodies = [a, b]")
-        own = reading.table.table(label)
-        own.only("bodies", *reading.parameters)
-        pair = own.as_texts("bodies", own.value("bodies", "the two bodies, [a, b]"))
-        if len(pair) != 2:
-            own.refuse("bodies", f"a list of {len(pair)}; wanted two bodies")
-        given = {key: value for key, value in own.values.items() if key != "bodies"}
-        values = {**reading.values(own, given, ""), "bodies": reading.pair(own, pair)}
-        applied.append(Applied(reading.effect, label, values, label))
-    return applied
 
 
 def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
