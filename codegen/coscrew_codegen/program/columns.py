@@ -73,7 +73,7 @@ def columns(program: Program, given: str) -> AlikeColumns | None:
     runs = list(by_component(program))
     forms = {form({Ref(x.name): (x.op, x.operands) for x in run}) for run in runs}
     if len(runs) < FEWEST or len(forms) > 1 or () in forms:
-        return None  # as a part of a straight line
+        return None
     names = {Ref(step.name): marked(str(n)) for n, step in enumerate(runs[0], 1)}
     differing: dict[tuple[Operand, ...], int] = {}
 
