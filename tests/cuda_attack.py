@@ -1,9 +1,9 @@
 """Compiles kernels of scenes for CUDA with nvcc, plain and in tiers, and compares them with C.
 
-`python -m tests.cuda_attack [SCENE ...]`, or `make cuda`: the instructions, executed on the host,
-have the bits of C, and no flag changes them; kernels and launches assemble without a warning; where
-there is a device, kernels are launched and have the bits of C.  Fixed point has those of NumPy's
-integers: `--fixed` runs these alone.
+`python -m tests.cuda_attack [--function NAME ...] [SCENE ...]`, or `make cuda`: the instructions,
+executed on the host, have the bits of C, and no flag changes them; kernels and launches assemble
+without a warning; where there is a device, kernels are launched and have the bits of C.  Fixed
+point has those of NumPy's integers: `--fixed` runs these alone.
 """
 
 import argparse
@@ -36,10 +36,10 @@ def by_hand() -> Iterator[Scene]:
     yield from (of_tier(in_tier(pendulum(), tier_named(tier))) for tier in TIERS)
 
 
-def of_example(name: str) -> Iterator[Scene]:
-    """The scene's default functions; forward dynamics in tiers."""
+def of_example(name: str, functions: tuple[str, ...]) -> Iterator[Scene]:
+    """The scene's functions; forward dynamics in tiers."""
     path = EXAMPLES / f"{name}.toml"
-    yield of_scene(derive(read_scene(path)))
+    yield of_scene(derive(read_scene(path, overrides=SceneOverrides(functions=functions))))
     yield from map(of_tier, tiers_of(derive(read_scene(path, overrides=SceneOverrides(
         functions=("forward_dynamics",), tiers=TIERS)))))
 
@@ -85,6 +85,8 @@ def in_fixed_point(device: bool) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--fixed", action="store_true", help="fixed point alone")
+    parser.add_argument("--function", metavar="NAME", action="append",
+                        help="of the scenes' functions, instead of the default ones")
     parser.add_argument("scenes", metavar="SCENE", nargs="*")
     options = parser.parse_args()
     names = options.scenes
@@ -97,7 +99,8 @@ def main() -> int:
         in_fixed_point(device)
     if options.fixed:
         return 0
-    for scenes in map(of_example, names) if names else (by_hand(),):
+    functions = tuple(options.function or ("default",))
+    for scenes in (of_example(x, functions) for x in names) if names else (by_hand(),):
         for scene in scenes:
             with tempfile.TemporaryDirectory() as folder:
                 compared, _ = executed(scene, Path(folder), "nvcc")

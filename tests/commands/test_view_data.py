@@ -372,3 +372,8 @@ def test_gravity_says_where_up_is(tmp_path):
         "[effects.gravity]", "[effects.gravity]\ng = [3, -4, 0]"), until=0.1, precision="double")
     up = PageData(page([result])).json["up"]
     assert up == pytest.approx([-0.6, 0.8, 0]) and math.hypot(*up) == pytest.approx(1)
+
+
+def test_a_motor_that_drives_the_velocity_alone_has_no_ghost(tmp_path):
+    (result,) = arm(tmp_path, text=ARM.replace("kp = 40", "kp = 0"), until=0.1)
+    assert [x["label"] for x in PageData(page([result])).json["runs"]] == ["double"]

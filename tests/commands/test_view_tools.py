@@ -9,11 +9,13 @@ import pytest
 from PIL import Image
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
 
 from coscrew_codegen.simulation.view.view_files import view
 from tests.support.browser import chromium
 from tests.support.playback_data import arm
-from tests.support.playback_page import PIXEL, camera, clock, opened, pose
+from tests.support.playback_page import PIXEL, SECONDS, camera, clock, opened, pose
 
 BALL = '<visual><origin xyz="0 0 -1"/><geometry><sphere radius="0.3"/></geometry></visual>'
 PLACE = """
@@ -43,7 +45,7 @@ def shown(browser):
         player.tree.choose(null);
         player.clock.play(false);
         player.clock.seek(0);
-        player.fit();""", {"Forces": 1, "Trail": 1})
+        player.fit();""", {"Forces": 1, "Trail": 1, "Ground": 1})
 
 
 def press(shown, key: str) -> None:
@@ -73,21 +75,24 @@ def test_the_tree_names_all_bodies_with_masses_and_joints(shown):
 
 
 def test_a_click_in_the_tree_selects_a_body_and_says_where_it_is(shown):
+    """In the tree, and, without it, in the picture."""
     press(shown, "b")
     before = colour(shown)
     row = shown.find_elements(By.CSS_SELECTOR, "#tree button")[-1]
     row.click()
     shown.execute_script("player.clock.seek(0.8); player.update();")
     words = shown.find_element(By.ID, "chosen").text
-    q = float(words.rpartition(" ")[2])
-    assert words.startswith("arm at ") and "q of hinge" in words
-    assert q == pytest.approx(shown.execute_script("""
+    body, place, q = words.split("\n")
+    assert body == "arm · 1 kg · hinge" and place.startswith("at 0, 0, 0 m")
+    assert float(q.removeprefix("q ")) == pytest.approx(shown.execute_script("""
         const signal = player.recording.groups.flatMap(x => x.signals).find(
           x => x.name === "q.hinge" && x.run === 0);
         return player.recording.main.value(signal.numbers);"""), rel=1e-4)
     shown.execute_script("player.clock.seek(0);")
     assert row.get_attribute("aria-pressed") == "true" and colour(shown) != before
-    row.click()
+    press(shown, "b")
+    assert shown.find_element(By.ID, "chosen").is_displayed()
+    press(shown, Keys.ESCAPE)
     assert row.get_attribute("aria-pressed") == "false" and colour(shown) == before
     assert not shown.find_element(By.ID, "chosen").is_displayed()
 
@@ -175,3 +180,102 @@ def test_a_picture_is_saved_with_its_background(shown):
     near = shown.execute_script("""
         return getComputedStyle(document.documentElement).getPropertyValue("--near");""")
     assert f"#{bytes(pixels[0, :3].tolist()).hex()}" == near.strip()
+
+
+def test_all_keys_are_listed(shown):
+    """Each tool and each action of the menu with its key; meanwhile keys do nothing else."""
+    press(shown, "?")
+    dialog = shown.find_element(By.ID, "keys")
+    listed = dict(zip(*([x.text for x in dialog.find_elements(By.TAG_NAME, kind)]
+                        for kind in ("dt", "dd")), strict=True))
+    for name in ("Trail", "Frames", "Ground", "Inertia", "Save picture", "From above"):
+        (key,) = (key for key, words in listed.items() if words == name)
+        assert shown.execute_script("return player.tools.keys.get(arguments[0].toLowerCase()).name",
+                                    key) == name
+    assert {"space", "Esc", ", ."} <= listed.keys()
+    press(shown, "t")
+    assert shown.execute_script("return player.tools.keys.get('t').on;")
+    press(shown, Keys.ESCAPE)
+    assert not dialog.is_displayed()
+
+
+def test_the_camera_follows_a_selected_body(shown):
+    """The centre of mass leads; a selection alone turns nothing."""
+    target = "return player.stage.controls.target.toArray();"
+    before, first = np.array(shown.execute_script(target)), np.array(centre(shown))
+    shown.execute_script("player.tree.choose(1); player.update();")
+    press(shown, "f")
+    shown.execute_script("player.update();")
+    assert np.array(shown.execute_script(target)) == pytest.approx(before)
+    shown.execute_script("player.clock.seek(.6); player.update();")
+    moved = centre(shown) - first
+    assert np.linalg.norm(moved) > 0.05
+    assert np.array(shown.execute_script(target)) - before == pytest.approx(moved, abs=1e-6)
+
+
+def test_without_the_ground_one_sees_the_robot_from_below(shown):
+    canvas = shown.find_element(By.ID, "space")
+    for key, below in (("g", True), ("g", False)):
+        press(shown, key)
+        for _ in range(25):
+            canvas.send_keys(Keys.ARROW_DOWN)
+        assert (camera(shown)[1] < -1) == below
+        assert shown.execute_script("return player.stage.ground.visible;") != below
+
+
+def test_the_speed_has_keys(shown):
+    speed = "return [player.clock.speed, document.getElementById('speed').value];"
+    shown.execute_script("player.clock.hurry(0);")
+    first = shown.execute_script(speed)[0]
+    press(shown, ">")
+    faster = shown.execute_script(speed)
+    assert faster[0] > first and float(faster[1]) == faster[0]
+    press(shown, "<")
+    assert shown.execute_script(speed)[0] == first
+
+
+def test_the_picture_fills_the_screen_and_shrinks_again(shown):
+    full = "return document.fullscreenElement?.id;"
+    press(shown, "e")
+    WebDriverWait(shown, SECONDS).until(lambda x: x.execute_script(full) == "stage")
+    press(shown, "e")
+    WebDriverWait(shown, SECONDS).until(lambda x: x.execute_script(full) is None)
+
+
+def test_boxes_of_inertia_appear_over_the_bodies(shown):
+    """m (y² + z²)/12 = 0.1 about each axis."""
+    assert not shown.execute_script("return player.tools.keys.get('i').mark;")
+    press(shown, "i")
+    (body, size, centre), = shown.execute_script("""
+        const { group } = player.tools.keys.get("i").mark;
+        return player.recording.inertias.map(x => [x.body, x.size, x.place.slice(0, 3)])
+          .filter(() => group.visible);""")
+    assert shown.execute_script("return player.recording.bodies[arguments[0]].name;", body) == "arm"
+    assert size == pytest.approx([math.sqrt(0.6)] * 3) and centre == [0, 0, -1]
+
+
+def test_the_run_is_filmed_to_its_end(shown):
+    """From the start to the end; the file begins as all of its format do."""
+    shown.execute_script("""
+        window.films = [];
+        HTMLAnchorElement.prototype.click = function () {
+          fetchBlob(this.href).then(bytes => films.push([this.download, bytes]));
+        };
+        const make = URL.createObjectURL, blobs = new Map();
+        URL.createObjectURL = blob => {
+          const address = make.call(URL, blob);
+          blobs.set(address, blob);
+          return address;
+        };
+        window.fetchBlob = async address =>
+          [...new Uint8Array(await blobs.get(address).arrayBuffer())].slice(0, 2000);
+        player.clock.seek(.5);""")
+    press(shown, "v")
+    begin, playing = shown.execute_script("return [player.clock.time, player.clock.playing];")
+    assert playing and begin < 0.5
+    WebDriverWait(shown, SECONDS).until(lambda x: x.execute_script("return films.length;"))
+    ((name, content),) = shown.execute_script("return films;")
+    assert shown.execute_script("return player.clock.time === player.clock.end;")
+    assert not shown.execute_script("return player.filming.on;")
+    assert name == "arm.webm" and bytes(content[:4]).hex() == "1a45dfa3"  # EBML
+    assert len(content) == 2000

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.simulation.view import page_signals
 from coscrew_codegen.simulation.view.body_shapes import drawn
 from coscrew_codegen.simulation.view.ground_shape import ground_of
 from coscrew_codegen.simulation.view.page_block import NumberBlock
@@ -121,12 +120,125 @@ def test_heights_are_those_of_the_formula(tmp_path):
             assert H[i, k] == pytest.approx(0.3 * math.sin(2 * x) * max(y, 0.1) + 1, rel=1e-6)
 
 
-def test_arrows_of_contacts_stand_where_they_touch(tmp_path):
-    names = [f"contact.thing.force.{i}" for i in range(3)]
-    system = read(tmp_path, BALL + "\npoint = [0, 0, -0.3]")
-    (arrow,) = page_signals.arrows(system, dict.fromkeys(names, np.zeros(2)))
-    assert (arrow["body"], arrow["point"], arrow["radius"]) == (0, [0, 0, -0.3], 0.1)
-    assert arrow["signals"] == names
+def test_heights_of_a_grid_pass_through_its_points(tmp_path):
+    """Between x = 0 and 1, and y = -1 and 0, the surface is Catmull and Rom's at the middle."""
+    (tmp_path / "grid.csv").write_text("0,0,1,2\n-1,0.5,0.25,1\n0,-1,0,0.125\n")
+    data, block = ground(tmp_path, '[effects.ground]\nheight = { file = "grid.csv" }')
+    n, half = data["points"], data["half"]
+    H = np.ascontiguousarray(block.reshape(4, n * n).T).view("<f4").reshape(n, n)
+    x, y = (c + half * np.linspace(-1, 1, n) for c in data["middle"])
+    for i in (0, 40, 47, n - 1):
+        for k in (0, 18, 22, n - 1):
+            assert H[i, k] == pytest.approx(bicubic(x[k], y[i]), abs=1e-6)
+
+
+def bicubic(x: float, y: float) -> float:
+    """Hermite's cubics with the slopes of chords, of those at the ends that of the last two."""
+    x, y = min(max(x, 0.0), 2.0), min(max(y, -1.0), 0.0)
+
+    def along_x(low: float, middle: float, high: float) -> float:
+        slopes = middle - low, (high - low) / 2, high - middle
+        return hermite(x, low, middle, *slopes[:2]) if x < 1 else hermite(
+            x - 1, middle, high, *slopes[1:])
+
+    first, last = along_x(0.5, 0.25, 1), along_x(-1, 0, 0.125)
+    return hermite(y + 1, first, last, last - first, last - first)
+
+
+def hermite(s: float, a: float, b: float, slope_a: float, slope_b: float) -> float:
+    return ((1 + 2 * s) * (1 - s)**2 * a + s * (1 - s)**2 * slope_a
+            + s * s * (3 - 2 * s) * b + s * s * (s - 1) * slope_b)
+
+
+TOUCHING = """[bodies.ball]
+mass = 1
+inertia = [0.004, 0.004, 0.004]
+[joints.free]
+type = "free"
+child = "ball"
+[effects.gravity]
+[effects.contact_pair.perch]
+bodies = ["ball", "world"]
+first_radius = 0.1
+second = [0, -1, 0]
+second_end = [0, 1, 0]
+second_radius = 0.2
+mu = 0.5
+depth = 0.002
+load = 7
+[start.q]
+free = [{x}, 0.25, {z}, 0, 0, 0, 1]
+[outputs]
+record = ["q", "contact_pair.perch.force"]
+every = 0.001
+[run]
+duration = {duration}
+step = 1e-3
+"""
+
+
+@pytest.fixture(scope="module")
+def perch(tmp_path_factory):
+    """A ball that lies as deep in a capsule of the world as the load 7 N makes it."""
+    path, apart = tmp_path_factory.mktemp("perch") / "perch.toml", 0.1 + 0.2 - 0.002
+    (result,) = run(path, TOUCHING.format(x=0.6 * apart, z=0.8 * apart, duration=0.01),
+                    precision="double")
+    return PageData(page([result]))
+
+
+def test_contacts_of_two_bodies_are_drawn_as_the_law_says(perch):
+    """At the start, halfway between both surfaces, along the line between their centres."""
+    ((x, y, z, *force),) = ([perch.array(place)[0] for place in one]
+                            for one in perch.json["contacts"])
+    assert force == pytest.approx([0.6 * 7, 0, 0.8 * 7], rel=1e-6)
+    assert (x, y, z) == pytest.approx((0.6 * 0.199, 0.25, 0.8 * 0.199), rel=1e-6)
+    assert perch.json["arrows"] == []
+
+
+def test_both_bodies_of_a_contact_are_drawn(perch):
+    shapes = {x["body"]: (x["kind"], x["size"], x["place"]) for x in perch.json["parts"]}
+    assert shapes[0] == ("sphere", [0.1], [0, 0, 0, 0, 0, 0, 1])
+    kind, size, place = shapes[-1]
+    assert (kind, size, place[:3]) == ("capsule", [0.2, 2], [0, 0, 0])
+    assert axis_of(place) == pytest.approx((0, 1, 0), abs=1e-6)
+
+
+def test_states_of_all_effects_are_one_group(tmp_path):
+    """Each is labelled by its effect, and where its contact is."""
+    (result,) = run(tmp_path / "thing.toml", FREE.format(shape=BALL, ground="", com="[0, 0, 0]"
+                    ).replace('"q",', '"q", "x",'), precision="double")
+    groups = {x["title"]: [y["label"] for y in x["signals"]]
+              for x in PageData(page([result])).json["groups"]}
+    assert groups["States x"] == [f"contact.thing.{i}" for i in range(3)]
+
+
+def test_a_contact_that_never_touches_takes_no_room(tmp_path):
+    """The numbers of one that does are zero except at the samples around."""
+    (far,) = run(tmp_path / "far.toml", TOUCHING.format(x=0, z=5, duration=0.01),
+                 precision="double")
+    assert PageData(page([far])).json["contacts"] == []
+    (falls,) = run(tmp_path / "falls.toml", TOUCHING.format(x=0, z=0.31, duration=0.1),
+                   precision="double")
+    data = PageData(page([falls]))
+    (numbers,) = (np.array([data.array(x) for x in one]) for one in data.json["contacts"])
+    touches = numbers[3:].any(0)
+    first = int(np.argmax(touches))
+    assert first > 3 and not numbers[:, :first - 1].any()
+    assert numbers[:3, first - 1].any() and numbers[5, first] > 0
+
+
+def test_the_ground_is_touched_at_the_lowest_point(tmp_path):
+    """With the force of the recording."""
+    path = tmp_path / "thing.toml"
+    (result,) = run(path, FREE.format(shape=BALL, ground="", com="[0, 0, 0]").replace(
+        "[0, 0, 3,", "[0.5, 0, 0.0995,"), precision="double")
+    data = PageData(page([result]))
+    ((x, y, z, *force),) = ([data.array(place)[0] for place in one]
+                            for one in data.json["contacts"])
+    assert force == pytest.approx([
+        result.recorded[f"contact.thing.force.{i}"][0] for i in range(3)], rel=1e-6)
+    assert (x, y) == (0.5, 0) and abs(z) <= 0.0005 and force[2] > 0
+    assert data.json["arrows"] == []
 
 
 PAIR = """[bodies]

@@ -64,8 +64,8 @@ def test_shapes_of_urdf_have_exact_sizes_and_places(tmp_path, geometry, shape, s
     ("<collision/>", "line 1: <collision> has 0 shapes; wanted one"),
     (collision('<cone radius="1"/>'), "line 1: <cone> is no shape; wanted one of box"),
     (collision('<sphere radius="-1"/>'), "a sphere of the sizes -1; wanted positive ones"),
-    (collision('<sphere radius="wide"/>'), "line 1: 'radius' of <sphere> is 'wide'; wanted 1"),
-    (collision('<box size="1 2"/>'), "line 1: 'size' of <box> is '1 2'; wanted 3 numbers"),
+    (collision('<sphere radius="wide"/>'), "line 1: 'radius' of <sphere>: 'wide' is no number"),
+    (collision('<box size="1 2"/>'), "line 1: 'size' of <box>: '1 2'; wanted 3 numbers"),
     (collision('<mesh filename="none.stl"/>'), "line 1: no file 'none.stl'"),
     (collision('<sphere radius="1"/>', '<origin rpy="0 0"/>'), "line 1: 'rpy' of <origin>")))
 def test_a_fault_in_a_shape_is_its_problem_and_refuses_nothing(tmp_path, text, problem):
@@ -228,8 +228,8 @@ def test_planes_of_sdf_have_their_normals_along_z(tmp_path, normal):
 def test_what_cannot_be_used_in_sdf_is_named(tmp_path):
     hills, bad = collisions(sdf(tmp_path, collision("<heightmap/>"), collision(
         "<sphere><radius>1</radius></sphere>", GRIP.replace("0.6", "-1"))))
-    assert "<heightmap> is no shape that is kept" in hills.problem
-    assert bad.problem == "negative friction; wanted 0 or more"
+    assert "<heightmap> is no shape; wanted one of box, sphere" in hills.problem
+    assert bad.problem == "line 2: negative friction; wanted 0 or more"
 
 
 # models in scenes

@@ -13,9 +13,8 @@ from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.integrators import EMITTED, named
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from tests.scenes.test_differentiated_functions import check_step
-from tests.scenes.test_effect_states import SLIDER
-from tests.support.scenes.differentiated import check, entry
+from tests.support.scenes.differentiated import check, check_step, entry
+from tests.support.scenes.scene_texts import SLIDER
 
 GEARED = """
 [bodies]

@@ -7,26 +7,7 @@ import pytest
 from coscrew_codegen import again, load_scene, run
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-
-SLIDER = """
-runtime = ["stiction.slide.k"]
-[bodies]
-block = { mass = 1, inertia = [0.1, 0.1, 0.1] }
-wheel = { mass = 1, inertia = [0.1, 0.1, 0.1] }
-[joints]
-slide = { type = "prismatic", child = "block", axis = [1, 0, 0] }
-hinge = { type = "revolute", parent = "block", child = "wheel", axis = [0, 1, 0] }
-[effects.stiction.slide]
-tau_c = 4
-tau_s = 5
-k = 5e5
-d = 1000
-[effects.stiction.hinge]
-tau_c = 0.1
-[effects.actuator.slide]
-kind = "torque"
-torque = "3 + 1.9*sin(20*pi*t)"
-"""
+from tests.support.scenes.scene_texts import SLIDER
 
 
 @pytest.fixture

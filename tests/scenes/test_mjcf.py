@@ -75,8 +75,8 @@ def test_what_the_file_says_is_in_the_model(read):
     assert {"gravity", "viscous.roll", "armature.reach", "spring.pitch",
             "wrench.gravcomp of foot"} <= {x.name for x in scene.effects}
     assert any(x.startswith("joint pitch: friction 0.3 N m is not used") for x in scene.unused)
-    assert any(x.endswith("geoms may touch others in MuJoCo: contact is not used")
-               for x in scene.unused)
+    assert any(x.endswith("geoms may touch others in MuJoCo, and nothing here: add "
+                          "[effects.contact] with mu") for x in scene.unused)
 
 
 def test_bodies_and_joints_may_have_one_name_or_none(read):
@@ -350,3 +350,15 @@ def test_leave_out_is_for_what_it_names(read, tmp_path, capsys):
     assert main(words) == 0, capsys.readouterr().err
     assert main([*words[:4], *words[-2:]]) == 2
     assert "--leave-out tendons, leaves it out" in capsys.readouterr().err
+
+
+def test_shapes_and_keyframes_are_reported_until_a_scene_takes_them(read):
+    """A scene with contact says nothing of shapes."""
+    text = """<mujoco><worldbody><body name="b" pos="0 0 1"><freejoint name="f"/><geom size="0.1"/>
+</body></worldbody><keyframe><key name="home" qpos="0 0 2 1 0 0 0"/><key/></keyframe></mujoco>"""
+    lines = read(text, scene="[effects.gravity]\n").unused
+    assert ("1 geom may touch others in MuJoCo, and nothing here: add [effects.contact] with mu"
+            in lines)
+    assert "keyframes home, 1: not used; [start.q] of a scene sets a start" in lines
+    lines = read(text, scene="[effects.gravity]\n[effects.contact]\nmu = 0.5\n").unused
+    assert [x for x in lines if "key" not in x] == []

@@ -102,7 +102,7 @@ def test_a_visual_without_a_shape_is_kept_as_a_problem(tmp_path):
     (tmp_path / "m.sdf").write_text(chain(hinge()).replace(
         "</link>", '<visual name="v"><geometry/></visual></link>', 1))
     (visual,) = (y for x in read_scene(tmp_path / "m.sdf").model.bodies for y in x.visuals)
-    assert visual.problem.endswith("has no <geometry> with one shape")
+    assert visual.problem.endswith("<visual> has 0 shapes; wanted one")
 
 
 def test_numbers_and_values_that_no_file_gives():

@@ -32,7 +32,7 @@ REFUSED = {
     "text among elements": (chain(hinge("0 0 1")), "<axis> holds the text '0 0 1'"),
     "type": (chain(hinge(kind="hinge")), "joint 'j': type 'hinge'; wanted one of revolute, contin"),
     "screw": (chain(hinge(kind="screw")), "type 'screw'; wanted one of revolute"),
-    "gearbox": (chain(hinge(kind="gearbox")), "type 'gearbox'; wanted one of revolute"),
+    "gearbox": (chain(hinge(kind="gearbox")), "<joint> lacks <gearbox_reference_body>"),
     "parent": (chain(hinge(parent="aa")), "no frame 'aa'; did you mean 'a'?"),
     "frame": (chain(hinge(pose='<pose relative_to="c">0 0 0 0 0 0</pose>')), "no frame 'c'"),
     "circle": (chain(hinge(pose='<pose relative_to="f"/>'), more='<frame name="f"><pose relative_to'
@@ -43,7 +43,7 @@ REFUSED = {
     "no axis": (chain(hinge().replace("<axis><xyz>0 0 1</xyz></axis>", "")), "lacks <axis>"),
     "too many axes": (chain(hinge().replace("</joint>", "<axis2/></joint>")), "<axis2> of a "
                       "revolute joint; wanted none"),
-    "numbers": (chain(hinge("<xyz>0 1</xyz>")), "<xyz> of <axis> is '0 1'; wanted 3 numbers"),
+    "numbers": (chain(hinge("<xyz>0 1</xyz>")), "<xyz> of <axis>: '0 1'; wanted 3 numbers"),
     "no number": (chain(hinge("<xyz>0 x 1</xyz>")), "<xyz> of <axis>: 'x' is no number"),
     "negative": (chain(hinge("<xyz>0 0 1</xyz><dynamics><damping>-1</damping></dynamics>")),
                  "<damping> of <dynamics> is -1; wanted 0 or more"),

@@ -232,7 +232,7 @@ def test_files_that_are_not_there(tmp_path, model, words):
     ('<child link="frame"/>', '<child link="upper"/>', "body 'upper'", "two joints"),
     ("</robot>", '<link name="lost"/></robot>', "body 'lost'", "several roots"),
     ('xyz="0 2 0"', 'xyz="0 0 0"', "joint 'shoulder'", "the axis is zero"),
-    ('xyz="0 2 0"', 'xyz="0 2"', "joint 'shoulder'", "wanted three numbers"),
+    ('xyz="0 2 0"', 'xyz="0 2"', "joint 'shoulder'", "wanted 3 numbers"),
     ('xyz="0 2 0"', 'xyz="0 nan 0"', "joint 'shoulder'", "nan is not finite"),
     ('xyz="0 2 0"', 'xyz="0 2 O"', "joint 'shoulder'", "'O' is no number"),
     ('<axis xyz="0 2 0"/>', "<axis/>", "joint 'shoulder'", "lacks its 'xyz'"),

@@ -235,7 +235,7 @@ def test_a_quarter_turn_by_a_quaternion_is_exact(read):
 @pytest.mark.parametrize("version, origin, words", [
     ("1.0", 'quat_xyzw="0 0 0 1"', "is of URDF 1.1; wanted <robot version=\"1.1\">, or rpy"),
     ("1.1", 'quat_xyzw="0 0 0 0"', "is zero; wanted x, y, z, w of a unit quaternion"),
-    ("1.1", 'quat_xyzw="0 0 1"', "'0 0 1'; wanted four numbers"),
+    ("1.1", 'quat_xyzw="0 0 1"', "'0 0 1'; wanted 4 numbers"),
     ("1.2", 'quat_xyzw="0 0 0 x"', "'x' is no number"),
     ("1.1", 'rpy="0 0 0" quat_xyzw="0 0 0 1"', "wanted one of both")])
 def test_wrong_quaternions_are_refused(refused, version, origin, words):

@@ -112,15 +112,16 @@ def test_a_given_package_counts(tmp_path):
 
 @pytest.mark.parametrize("wrong, problem", (
     ("<visual/>", "<visual> has 0 shapes; wanted one"),
-    (visual('<box size="1 2"/>'), "'size' of <box> is '1 2'; wanted 3 numbers"),
-    (visual('<box size="1 2 x"/>'), "'size' of <box> is '1 2 x'; wanted 3 numbers"),
-    (visual('<sphere radius="nan"/>'), "'radius' of <sphere> is 'nan'; wanted 1 number"),
+    (visual('<box size="1 2"/>'), "'size' of <box>: '1 2'; wanted 3 numbers"),
+    (visual('<box size="1 2 x"/>'), "'size' of <box>: 'x' is no number; wanted a decimal number "
+                                    "such as 1.5e-3"),
+    (visual('<sphere radius="nan"/>'), "'radius' of <sphere>: nan is not finite; wanted a number"),
     (visual('<cone radius="1"/>'), "<cone> is no shape; wanted one of box, sphere, cylinder, "
                                    "capsule, mesh"),
     (visual('<mesh filename="none.stl"/>'), "no file 'none.stl'"),
     (visual("<mesh/>"), "no file ''"),
     (visual('<box size="1 1 1"/>', '<origin xyz="1 2"/>'),
-     "'xyz' of <origin> is '1 2'; wanted 3 numbers")))
+     "'xyz' of <origin>: '1 2'; wanted 3 numbers")))
 def test_a_visual_with_a_fault_is_kept_with_its_problem(tmp_path, wrong, problem):
     """The model is read all the same."""
     good, bad = visuals(urdf(tmp_path, visual('<sphere radius="1"/>'), wrong))

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
+SECONDS = 60  # until a script of a page has run: a picture by software on a busy machine
+
 
 def _command(*names: str) -> str:
     """The first of these commands that is installed."""
@@ -30,6 +32,7 @@ def chromium(*arguments: str) -> Iterator[webdriver.Chrome]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     driver = webdriver.Chrome(options, Service(_command("chromedriver")))
+    driver.set_script_timeout(SECONDS)
     try:
         yield driver
     finally:

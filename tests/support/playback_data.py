@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from coscrew_codegen.simulation.recordings.result import Result
+from coscrew_codegen.simulation.required_functions import VIEWED
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 from tests.support.scenes.selecting import checked
 
@@ -58,7 +59,7 @@ def element(text: str, name: str) -> str:
 def run(path: Path, text: str, **overrides: Any) -> Sequence[Result]:
     """The runs of a scene with this text, one in each precision."""
     path.write_text(text)
-    kernels = checked(path, None, others=("body_poses",), precisions=("double", "single"))
+    kernels = checked(path, None, others=VIEWED, precisions=("double", "single"))
     return simulated(kernels, RunOverrides(**overrides))
 
 

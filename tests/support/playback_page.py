@@ -8,10 +8,9 @@ from selenium.webdriver import Chrome
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
-from tests.support.browser import resize
+from tests.support.browser import SECONDS, resize
 
 SMALL = 760, 480  # pixels of the window: a larger picture takes longer
-SECONDS = 60  # until a page has drawn, by software on a busy machine
 
 
 def opened(browser: Chrome, folder: Path, name: str, width: int = SMALL[0],

@@ -47,6 +47,13 @@ export class Clock {
     this.seek(this.time + count * (this.end - this.begin) / STEPS);
   }
 
+  // Play at the next speed of the list, or the one before.
+  hurry(by) {
+    const { options, selectedIndex } = $("speed");
+    $("speed").selectedIndex = Math.min(Math.max(selectedIndex + by, 0), options.length - 1);
+    this.speed = Number($("speed").value);
+  }
+
   // Go to the next recorded time, or the one before.
   sample(next) {
     const near = 1e-9 * (this.end - this.begin);
@@ -84,7 +91,8 @@ export class Clock {
       " ": () => this.play(!this.playing), ArrowLeft: () => this.step(-1),
       ArrowRight: () => this.step(1), Home: () => this.seek(this.begin),
       End: () => this.seek(this.end), ",": () => this.sample(false),
-      ".": () => this.sample(true) }[event.key];
+      ".": () => this.sample(true), "<": () => this.hurry(-1),
+      ">": () => this.hurry(1) }[event.key];
     if (action) action();
     return Boolean(action);
   }

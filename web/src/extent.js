@@ -1,6 +1,6 @@
 // The space that a robot sweeps: its size, its centre at each time, and the points to be framed.
 import { Quaternion, Vector3 } from "three";
-import { tips } from "./marks.js";
+import { tips } from "./arrows.js";
 
 const POINTS = 8000, FEWEST = 24, MOST = 240;  // instants, for so many points in all
 const RISE = 10;  // sizes of the robot, which fit into a picture one above the other

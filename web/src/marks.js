@@ -1,23 +1,23 @@
-// Marks on the robot, each switched on and off: joint frames, a trail, arrows, masses.  A mark has
-// a `group` to draw, and `update` that brings it to the located time.
+// Marks on the robot, each switched on and off: joint frames, a trail, masses.  A mark has a
+// `group` to draw, and `update` that brings it to the located time.
 import {
-  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial,
-  Quaternion, SphereGeometry, Vector3,
+  BufferAttribute, BufferGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Quaternion,
+  SphereGeometry, Vector3,
 } from "three";
 
 const X = new Vector3(1, 0, 0), Y = new Vector3(0, 1, 0), Z = new Vector3(0, 0, 1);
-const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()], spare = new Quaternion();
-const LONGEST = .33, TYPICAL = .2;  // lengths of arrows, in sizes of the robot
-const MOST = .9;  // the share of forces whose arrows are at most TYPICAL
-const above = colour => new MeshBasicMaterial({
+const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+
+// A material that nothing hides.
+export const above = colour => new MeshBasicMaterial({
   color: colour, depthTest: false, transparent: true, toneMapped: false,
 });
 
-// Red, green and blue axes of the frames of all bodies that joints move, and a thin line along the
-// joint's axis.
+// Red, green and blue axes of the world and of the frames of all bodies that joints move, and a
+// thin line along the joint's axis.
 export function frames(recording, robot, size) {
   const group = new Group(), length = .07 * size;
-  for (const joint of recording.joints.filter(x => x.moves)) {
+  for (const joint of [{ child: -1 }, ...recording.joints.filter(x => x.moves)]) {
     const frame = new Group();
     for (const [axis, colour] of [[X, 0xe5484d], [Y, 0x30a46c], [Z, 0x3e63dd]]) {
       const bar = new Mesh(new CylinderGeometry(.035 * length, .035 * length, length, 10)
@@ -38,8 +38,9 @@ export function frames(recording, robot, size) {
   }
   const update = () => {
     for (const frame of group.children) {
-      frame.position.copy(robot.bodies[frame.userData.body].position);
-      frame.quaternion.copy(robot.bodies[frame.userData.body].quaternion);
+      const { position, quaternion } = robot.bodies[frame.userData.body] ?? robot.world;
+      frame.position.copy(position);
+      frame.quaternion.copy(quaternion);
     }
   };
   return { group, update };
@@ -132,72 +133,4 @@ function tube(path, radius, sides) {
   geometry.setAttribute("position", new BufferAttribute(points, 3));
   geometry.setIndex(faces);
   return geometry;
-}
-
-// The arrows with their signals' numbers, and a function from a force to its arrow's length in
-// sizes of the robot: in proportion, except shocks, which would make all others too small.
-export function forces(recording) {
-  const signals = recording.groups.flatMap(group => group.signals);
-  const given = recording.arrows.map(arrow => ({
-    ...arrow, numbers: arrow.signals.map(name => signals.find(x => x.name === name).numbers) }));
-  const sizes = given.flatMap(({ numbers: [x, y, z] }) =>
-    Array.from(x, (_, i) => Math.hypot(x[i], y[i], z[i]))).filter(x => x > 0).sort((x, y) => x - y);
-  const typical = sizes[Math.floor(MOST * (sizes.length - 1))] || 1;
-  return { given, length: force => Math.min(TYPICAL * force / typical, LONGEST) };
-}
-
-// From the centre of a contact's shape to where it touches.
-function lowered({ radius }, recording, point) {
-  if (!radius) return point;
-  return point.addScaledVector(c.fromArray(recording.ground?.normal ?? [0, 0, 1]), -radius);
-}
-
-// A function from a sample to the points of all arrows.
-export function tips(recording, size) {
-  const { given, length } = forces(recording);
-  const pose = { at: new Vector3(), turn: new Quaternion() };
-  return sample => given.map(arrow => {
-    recording.main.stored(arrow.body, sample, pose);
-    const tip = new Vector3(...arrow.numbers.map(x => x[sample] || 0));
-    tip.setLength(size * length(tip.length()));
-    if (arrow.turns) tip.applyQuaternion(pose.turn);
-    tip.add(a.fromArray(arrow.point).applyQuaternion(pose.turn)).add(pose.at);
-    return lowered(arrow, recording, tip);
-  });
-}
-
-// Arrows of recorded forces; each stands on a point of its body, and its components are in the
-// body's axes or the world's.
-export function arrows(recording, robot, size) {
-  const { given, length: lengthOf } = forces(recording), still = new Group();
-  const group = new Group(), thick = .0045 * size, head = .03 * size;
-  for (const arrow of given) {
-    const material = above(arrow.colour), one = new Group();
-    const shaft = new Mesh(new CylinderGeometry(thick, thick, 1, 12).translate(0, .5, 0), material);
-    const tip = new Mesh(new ConeGeometry(2.6 * thick, 1, 16).translate(0, -.5, 0), material);
-    shaft.renderOrder = tip.renderOrder = 6;
-    one.add(shaft, tip);
-    one.userData = arrow;
-    group.add(one);
-  }
-  const update = () => {
-    for (const one of group.children) {
-      const { body, point, numbers, turns } = one.userData, [shaft, tip] = one.children;
-      const { position, quaternion } = robot.bodies[body] ?? still;
-      a.set(...numbers.map(x => recording.main.value(x)));
-      const length = size * lengthOf(a.length());
-      one.visible = length > 1e-3 * size;
-      if (!one.visible) continue;
-      one.position.fromArray(point).applyQuaternion(quaternion).add(position);
-      lowered(one.userData, recording, one.position);
-      a.normalize();
-      if (turns) a.applyQuaternion(quaternion);
-      one.quaternion.copy(spare.setFromUnitVectors(Y, a));
-      const pointed = Math.min(head, .5 * length);
-      shaft.scale.set(1, length - pointed, 1);
-      tip.scale.set(1, pointed, 1);
-      tip.position.y = length;
-    }
-  };
-  return { group, update };
 }

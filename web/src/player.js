@@ -1,20 +1,23 @@
 // The page that plays a run back: puts stage, robot, marks, plots and time together.
 import { Group, Quaternion, Vector3 } from "three";
+import { arrows } from "./arrows.js";
 import { Clock } from "./clock.js";
 import { Extent } from "./extent.js";
+import { listKeys } from "./keys.js";
 import { labels } from "./labels.js";
-import { arrows, frames, masses, trail } from "./marks.js";
+import { frames, masses, trail } from "./marks.js";
+import { film, save } from "./picture.js";
 import { Plots } from "./plots.js";
-import { pointing } from "./pointer.js";
+import { pointing, turning } from "./pointer.js";
 import { Recording } from "./recording.js";
-import { collisions, Robot, shapesOf } from "./robot.js";
+import { overlaid, Robot, shapesOf } from "./robot.js";
 import { SIDES, Stage } from "./stage.js";
 import { ties } from "./ties.js";
 import { Tools } from "./tools.js";
 import { Tree } from "./tree.js";
 
 const $ = id => document.getElementById(id);
-const GHOSTS = [0xf2711c, 0x8e4ec6, 0x2a9d5c], TOUCHING = 0xe0a100;
+const GHOSTS = [0xf2711c, 0x8e4ec6, 0x2a9d5c], TOUCHING = 0xe0a100, INERTIA = 0x0f97a8;
 const CONTROLS = ["BUTTON", "INPUT", "SELECT", "SUMMARY", "OUTPUT"];
 const ROOM = 8;  // px between the robot and the controls
 
@@ -61,18 +64,20 @@ class Player {
     stage.scene.add(space);
     this.always = ties(recording, robot, size);
     space.add(this.always.group);
-    if (this.extent.travels) {
-      tools.add("Follow", "f", true, () => ({ show: on => { stage.follows = on; } }), space);
-    }
+    tools.add("Follow", "f", this.extent.travels,
+              () => ({ show: on => { stage.follows = on; } }), space);
     recording.runs.slice(1).forEach((run, i) => tools.add(
       run.label, String(i + 2), run.shown, () => ({ group: this.robots[i + 1].group }), space));
-    if (recording.arrows.length) {
+    if (recording.arrows.length + recording.contacts.length) {
       tools.add("Forces", "o", true, () => arrows(recording, robot, size), space);
     }
     tools.add("Trail", "t", true, () => trail(recording, size), space);
     tools.add("Frames", "j", false, () => frames(recording, robot, size), space);
-    if (recording.collisions.length) {
-      tools.add("Collision", "c", false, () => collisions(recording, TOUCHING), space);
+    for (const [name, key, parts, colour] of [["Collision", "c", recording.collisions, TOUCHING],
+                                              ["Inertia", "i", recording.inertias, INERTIA]]) {
+      if (parts.length) {
+        tools.add(name, key, false, () => overlaid(recording, parts, colour), space);
+      }
     }
     tools.add("Masses", "m", false, () => masses(recording, robot, size), space);
     tools.add("Names", "n", false, () => ({
@@ -81,14 +86,18 @@ class Player {
     tools.add("See-through", "s", false, () => ({ show: on => robot.fade(on) }), space);
     const touch = () => { this.dirty = true; };
     this.tree = new Tree(recording, this.robots, touch);
-    tools.add("Bodies", "b", false, () => ({ show: on => { $("tree").hidden = !on; },
-                                             update: () => this.tree.update() }), space);
+    tools.add("Ground", "g", true, () => ({ show: on => stage.stand(on) }), space);
+    tools.add("Bodies", "b", false, () => ({ show: on => { $("tree").hidden = !on; } }), space);
     tools.add("Loop", "l", false, () => ({ show: on => { this.clock.loops = on; } }), space);
-    tools.action("Picture", "p", () => this.save());
-    tools.menu("View", [["First view", "r", () => this.fit()],
-                        ["Along x", "x", () => this.fit(SIDES.x)],
-                        ["Along y", "y", () => this.fit(SIDES.y)],
-                        ["From above", "z", () => this.fit(SIDES.z)]]);
+    if (window.MediaRecorder) {
+      this.filming = tools.add("Film", "v", false,
+                               () => film(stage.canvas, this.clock, this.name), space);
+    }
+    tools.menu("View", [
+      ["First view", "r", () => this.fit()], ["Along x", "x", () => this.fit(SIDES.x)],
+      ["Along y", "y", () => this.fit(SIDES.y)], ["From above", "z", () => this.fit(SIDES.z)],
+      ...document.fullscreenEnabled ? [["Full screen", "e", () => this.fill()]] : [],
+      ["Save picture", "p", () => this.save()], ["Keys", "?", () => listKeys(tools.keyed)]]);
     pointing(recording, robot, stage, this.tree, touch);
     stage.controls.addEventListener("change", touch);
     stage.controls.addEventListener("start", () => { this.fitted = false; });
@@ -104,26 +113,30 @@ class Player {
     Object.assign(this, { from, fitted: true, dirty: true });  // until somebody turns it
   }
 
-  // Save the picture on the page's background.
-  save() {
-    const { canvas } = this.stage, sheet = document.createElement("canvas");
-    const context = sheet.getContext("2d");
-    this.update();  // the canvas has its content until the browser takes it
-    Object.assign(sheet, { width: canvas.width, height: canvas.height });
-    context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--near");
-    context.fillRect(0, 0, sheet.width, sheet.height);
-    context.drawImage(canvas, 0, 0);
-    const link = document.createElement("a");
-    link.download = `${document.title.split(":")[0]} ${this.clock.time.toFixed(3)} s.png`;
-    link.href = sheet.toDataURL("image/png");
-    link.click();
+  // Fill the screen with the picture, or the window again.
+  fill() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else $("stage").requestFullscreen();
   }
+
+  // Save the picture as it is drawn now: the canvas has its content until the browser takes it.
+  save() {
+    this.update();
+    save(this.stage.canvas, `${this.name} ${this.clock.time.toFixed(3)} s`);
+  }
+
+  get name() { return document.title.split(":")[0]; }
 
   listen() {
     document.addEventListener("keydown", event => {
       const { tagName } = event.target, letter = event.key.length === 1 && event.key !== " ";
       const own = CONTROLS.includes(tagName) && !(letter && tagName !== "SELECT");
-      if (own || this.stage && event.target === $("space") && this.turn(event)) return;
+      if (own || $("keys").open) return;
+      if (this.stage && event.target === $("space") && turning(event, this.stage)) {
+        Object.assign(this, { fitted: false, dirty: true });
+        return;
+      }
+      if (event.key === "Escape") this.tree?.choose(null);
       if (this.clock.key(event) || this.tools.key(event)) event.preventDefault();
     });
     const resize = () => {
@@ -142,29 +155,20 @@ class Player {
     if (this.stage) this.fit();
   }
 
-  // Keys that turn and zoom the view while the picture has the focus.
-  turn(event) {
-    const action = {
-      ArrowLeft: () => this.stage.orbit(.1, 0), ArrowRight: () => this.stage.orbit(-.1, 0),
-      ArrowUp: () => this.stage.orbit(0, .1), ArrowDown: () => this.stage.orbit(0, -.1),
-      "+": () => this.stage.orbit(0, 0, 1 / 1.2), "=": () => this.stage.orbit(0, 0, 1 / 1.2),
-      "-": () => this.stage.orbit(0, 0, 1.2) }[event.key];
-    if (!action) return false;
-    event.preventDefault();
-    action();
-    Object.assign(this, { fitted: false, dirty: true });
-    return true;
-  }
-
   // Bring everything to the clock's time.
   update() {
     this.recording.locate(this.clock.time);
     for (const robot of this.robots) robot.pose();
     if (this.stage) {
-      this.stage.follow(this.clock.time);
+      this.stage.follow(this.clock.time, this.robot);
+      this.tree.update();
       this.always.update();
       this.tools.update(this.clock.time);
       this.stage.render();
+      if (this.filming?.on) {
+        this.filming.mark.add();
+        if (!this.clock.playing) this.tools.toggle(this.filming);  // the end of the run
+      }
     }
     this.plots.update();
   }

@@ -1,5 +1,5 @@
 // The body under the pointer: it glows, and its name, mass and joint stand beside the pointer.  A
-// click selects it, a double click brings the view to the place.
+// click selects it, a double click brings the view to the place.  And keys of the picture.
 import { Raycaster, Vector2 } from "three";
 import { words } from "./tree.js";
 
@@ -44,4 +44,17 @@ export function pointing(recording, robot, stage, tree, changed) {
     if (place) stage.look(place.point);
     changed();
   });
+}
+
+// Turn or zoom the view by a key; returns whether it does.
+export function turning(event, stage) {
+  const action = {
+    ArrowLeft: () => stage.orbit(.1, 0), ArrowRight: () => stage.orbit(-.1, 0),
+    ArrowUp: () => stage.orbit(0, .1), ArrowDown: () => stage.orbit(0, -.1),
+    "+": () => stage.orbit(0, 0, 1 / 1.2), "=": () => stage.orbit(0, 0, 1 / 1.2),
+    "-": () => stage.orbit(0, 0, 1.2) }[event.key];
+  if (!action) return false;
+  event.preventDefault();
+  action();
+  return true;
 }

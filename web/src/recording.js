@@ -81,6 +81,7 @@ export class Recording {
     this.main = this.runs[0];
     this.begin = Math.min(...this.runs.map(run => run.begin));
     this.end = Math.max(...this.runs.map(run => run.end));
+    this.contacts = data.contacts.map(x => x.map(place => unpacked(block, place)));
     for (const group of this.groups) {
       group.signals.sort((a, b) => a.run - b.run);  // as plots join their runs
       for (const signal of group.signals) {

@@ -11,9 +11,9 @@ export function shapesOf(recording, parts = recording.parts) {
   return parts.map(part => shapeOf(part, meshes));
 }
 
-// A mark: the shapes with which the robot may touch others, over its own.
-export function collisions(recording, colour) {
-  const parts = recording.collisions, shapes = shapesOf(recording, parts);
+// A mark: further shapes of the bodies over their own, as those of collisions and of inertia.
+export function overlaid(recording, parts, colour) {
+  const shapes = shapesOf(recording, parts);
   const robot = new Robot(recording, recording.main, shapes, colour, parts);
   robot.group.traverse(({ material }) => {
     if (material) Object.assign(material, { opacity: .5, polygonOffsetFactor: -2,
@@ -44,6 +44,7 @@ export class Robot {
     this.run = run;
     this.lit = this.chosen = null;
     this.group = new Group();
+    this.coms = recording.bodies.map(x => x.com);
     this.bodies = recording.bodies.map((_, number) => {
       const group = new Group();
       group.userData.body = number;
@@ -66,6 +67,9 @@ export class Robot {
   pose() {
     this.bodies.forEach((group, body) => this.run.pose(body, group.position, group.quaternion));
   }
+
+  // The centre of mass of a body in space.
+  centre(body, result) { return this.bodies[body].localToWorld(result.fromArray(this.coms[body])); }
 
   // Corners of the parts' boxes in the frame of a body (-1: the world); its origin without parts.
   corners(body) {

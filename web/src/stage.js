@@ -12,6 +12,7 @@ export const SIDES = {  // directions from the robot to the camera
   y: new Vector3(0, -1, 0), z: new Vector3(0, -.01, 1).normalize(),
 };
 const LIGHT = new Vector3(1.1, -.7, 2.2);
+const LOWEST = .52 * Math.PI;  // polar angle of the camera above the ground
 const FINEST = 2, COARSEST = .5;  // pixels of the picture for one of the screen
 const SLOW = 90;  // ms for a frame, from which the picture becomes coarser
 
@@ -25,6 +26,7 @@ export class Stage {
     this.camera = new PerspectiveCamera(30, 1, extent.size / 50, extent.size * 60);
     this.camera.up.set(0, 0, 1);
     this.follows = extent.travels;
+    this.leader = null;  // the body that the camera follows; null: the robot
     this.now = new Vector3();
     this.ratio = this.finest;
     this.frameTime = this.slowFrames = 0;
@@ -63,8 +65,9 @@ export class Stage {
   restyle(dark) {
     this.scene.environmentIntensity = dark ? .42 : .46;
     this.sky.intensity = dark ? .25 : .3;
+    const visible = this.ground?.visible ?? true;
     if (this.ground) this.scene.remove(this.ground);
-    this.ground = ground(this.extent, dark, this.land);
+    this.ground = Object.assign(ground(this.extent, dark, this.land), { visible });
     this.scene.add(this.ground);
   }
 
@@ -74,7 +77,7 @@ export class Stage {
     controls.enableDamping = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     controls.dampingFactor = .12;
     controls.minDistance = .15 * size;
-    controls.maxPolarAngle = .52 * Math.PI;
+    controls.maxPolarAngle = LOWEST;
     // Without focus the wheel scrolls the page.
     this.canvas.addEventListener("wheel", event => {
       controls.enableZoom = document.activeElement === this.canvas || event.ctrlKey;
@@ -85,12 +88,19 @@ export class Stage {
     }, { capture: true });
   }
 
+  // Draw the ground, or leave it out and let the camera go below.
+  stand(on) {
+    this.ground.visible = on;
+    this.controls.maxPolarAngle = on ? LOWEST : Math.PI;
+  }
+
   // Turn the camera about its target, or change its distance.
   orbit(azimuth, elevation, factor = 1) {
     const offset = this.camera.position.clone().sub(this.controls.target);
     const flat = new Spherical().setFromVector3(new Vector3(offset.x, offset.z, -offset.y));
     flat.theta += azimuth;
-    flat.phi = Math.min(Math.max(flat.phi - elevation, .02), this.controls.maxPolarAngle);
+    flat.phi = Math.min(Math.max(flat.phi - elevation, .02),
+                        Math.min(this.controls.maxPolarAngle, Math.PI - .02));
     flat.radius = Math.min(Math.max(flat.radius * factor, this.controls.minDistance),
                            this.controls.maxDistance);
     const { x, y, z } = new Vector3().setFromSpherical(flat);
@@ -141,10 +151,13 @@ export class Stage {
     this.controls.update();
   }
 
-  // Bring camera, light and shadow to where the robot is at a time.
-  follow(time) {
-    const before = this.now.clone(), centre = this.extent.centre(time, this.now);
-    if (this.follows && this.extent.travels) {
+  // Bring camera, light and shadow to where the robot, or its selected body, is at a time.
+  follow(time, robot) {
+    const before = this.now.clone(), { chosen } = robot, same = this.leader === chosen;
+    const centre = chosen === null ? this.extent.centre(time, this.now)
+      : robot.centre(chosen, this.now);
+    this.leader = chosen;
+    if (this.follows && same && (chosen !== null || this.extent.travels)) {
       const moved = centre.clone().sub(before);
       this.controls.target.add(moved);
       this.camera.position.add(moved);

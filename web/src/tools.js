@@ -20,18 +20,7 @@ export class Tools {
     return tool;
   }
 
-  // Add a button that does something once.
-  action(name, key, act) {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = name;
-    button.title = `${name} (${key.toUpperCase()})`;
-    button.addEventListener("click", act);
-    this.keys.set(key, { act });
-    this.place.append(button);
-  }
-
-  // Add a menu of such actions: [name, key, act].
+  // Add a menu of actions: [name, key, act].
   menu(name, actions) {
     const menu = document.createElement("select");
     menu.id = name.toLowerCase();
@@ -42,9 +31,12 @@ export class Tools {
       this.keys.get(menu.value)?.act();
       menu.value = "";
     });
-    for (const [, key, act] of actions) this.keys.set(key, { act });
+    for (const [words, key, act] of actions) this.keys.set(key, { name: words, act });
     this.place.append(menu);
   }
+
+  // All keys, each with what it switches or does.
+  get keyed() { return [...this.keys].map(([key, { name }]) => [key.toUpperCase(), name]); }
 
   toggle(tool) {
     tool.on = !tool.on;

@@ -56,17 +56,23 @@ export class Tree {
     this.changed();
   }
 
-  // Say where the selected body is, and what its joint's coordinates are.
+  // Say what the selected body is, where it is, and what its joint's coordinates and velocities
+  // are.
   update() {
     if (this.chosen === null) return;
-    const { bodies, joints, groups, main } = this.recording;
-    const joint = joints.find(x => x.child === this.chosen);
+    const { joints, groups, main } = this.recording;
+    const { name } = joints.find(x => x.child === this.chosen);
     const { x, y, z } = this.robots[0].bodies[this.chosen].position;
-    const signals = groups.flatMap(group => group.signals).filter(({ name, run }) =>
-      run === 0 && (name === `q.${joint.name}` || name.startsWith(`q.${joint.name}.`)));
-    const q = signals.map(signal => written(main.value(signal.numbers)));
-    const place = `${bodies[this.chosen].name} at ${[x, y, z].map(written).join(", ")} m`;
-    $("chosen").textContent = joined(place, q.length && `q of ${joint.name} ${q.join(", ")}`);
+    const state = ["q", "v"].map(quantity => {
+      const own = `${quantity}.${name}`;
+      const numbers = groups.flatMap(group => group.signals).filter(x =>
+        x.run === 0 && (x.name === own || x.name.startsWith(`${own}.`)));
+      const values = numbers.map(signal => written(main.value(signal.numbers)));
+      return values.length && `${quantity} ${values.join(", ")}`;
+    });
+    $("chosen").textContent = [words(this.recording, this.chosen),
+                               `at ${[x, y, z].map(written).join(", ")} m`,
+                               joined(...state)].join("\n");
   }
 }
 

@@ -30,6 +30,7 @@ function recording(speed, angle) {
     ["f4", Float32Array.from([-1, 0, 1])]);
   return new Recording({
     bodies: [{ name: "a" }], runs: [{ label: "double", shown: true, t, poses }], arrows: [],
+    contacts: [],
     groups: [{ signals: [{ name: "x", run: 0, base: 5, values }] }] }, block);
 }
 

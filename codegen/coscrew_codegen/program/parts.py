@@ -31,6 +31,7 @@ from coscrew_codegen.program.program import (
     Program,
     Ref,
 )
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.quantity import Argument, Quantity
 
 MOST_KEPT = Fraction(1, 4)
@@ -75,7 +76,7 @@ class _Given(NamedTuple):
     place: int
 
 
-_Operand = int | _Given | Constant | NotANumber
+_Operand = int | _Given | Constant | NotANumber | TableColumn
 _Users = int
 """Programs: bit k stands for the program k."""
 

@@ -16,6 +16,9 @@ from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.plan import known
 
+VIEWED = ("body_poses", ALL_CONTACTS)
+"""Functions of playbacks; contacts only of scenes in which something touches."""
+
 
 def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool = False
            ) -> tuple[str, ...]:
@@ -24,7 +27,7 @@ def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool 
     warning that it changes too fast."""
     return together(_of_motion(scene, integrator, held),
                     *(recorded(text, scene).functions for text in scene.record),
-                    ("body_poses",) if view else ())
+                    VIEWED if view else ())
 
 
 def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:

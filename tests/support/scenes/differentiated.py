@@ -9,6 +9,7 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
+from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
 from tests.support.scenes.differences import state
@@ -108,6 +109,27 @@ def check(scene: Scene, function: SceneFunction, seed: int = 3, **at: list[mpf])
         right = total(adjoint, direction, ("g_", "d_"), taken)
         size = mpmath.fsum(abs(x) for name in taken for x in adjoint[f"g_{name}"])
         assert abs(left - right) <= mpf(10)**-30 * max(size, 1)
+
+
+def check_step(its: Scene, integrator: Integrator, **at: list[mpf]) -> None:
+    """A, B_tau and B_p are the tangents along unit directions, with these inputs."""
+    name = integrator.step_with_tau
+    functions = derive(its, (f"{name}_derivatives", f"{name}_tangent"))
+    with mpmath.workdps(50):
+        given = {**arguments(its, functions, 5), **at}
+        whole = results(functions, f"{name}_derivatives", given)
+        still = {x: [mpf(0)] * len(y) for x, y in directions(functions, f"{name}_tangent",
+                                                             "d_").items()}
+        parts = [("A", ("q", "v")), ("B_tau", ("tau",)), ("B_p", ("p",))]
+        for matrix, by in parts[:3 if its.parameters else 2]:
+            units = [(x, k) for x in by for k in range(len(still[f"d_{x}"]))]
+            for column, (x, k) in enumerate(units):
+                unit = [mpf(int(i == k)) for i in range(len(still[f"d_{x}"]))]
+                tangent = results(functions, f"{name}_tangent", {**given, **still, f"d_{x}": unit})
+                wanted = [*tangent["d_qo"], *tangent["d_vo"]]
+                own = whole[matrix][column::len(units)]
+                for a, b in zip(own, wanted, strict=True):
+                    assert abs(a - b) <= mpf(10)**-30 * max(1, *map(abs, wanted)), (matrix, x, k)
 
 
 def entry(scene: Scene, name: str) -> SceneFunction:

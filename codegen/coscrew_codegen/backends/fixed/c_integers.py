@@ -80,7 +80,7 @@ def language(wide: frozenset[str]) -> Language:
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.op is Op.WIDE_PRODUCT:
             return aligned(step, OF_INTEGERS[Op.WIDE_PRODUCT])
-        if _narrows(step, wide):
+        if narrows(step, wide):
             return ("ksl_narrow({}, {})" if integer(step.operands[1]) else "(int32_t)({})"), CALL
         if step.op in CIRCULAR:
             return f"ksl_{step.op.value}{INTEGERS.called}({{}}, {{}})", CALL
@@ -89,7 +89,7 @@ def language(wide: frozenset[str]) -> Language:
     return Language(spelling, lambda x: str(integer(x)), "", "", "{arguments}")
 
 
-def _narrows(step: Instruction, wide: frozenset[str]) -> bool:
+def narrows(step: Instruction, wide: frozenset[str]) -> bool:
     """Returns whether the instruction shifts a value of 64 bits to one of 32."""
     of = step.operands[0]
     return step.op is Op.ROUNDED_SHIFT and isinstance(of, Ref) and of.name in wide
@@ -99,7 +99,7 @@ def lanes_language(wide: frozenset[str]) -> Language:
     """C of vectors of integers; a value of 64 bits is a pair of them, which has no operators."""
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.op is Op.ROUNDED_SHIFT:
-            name = "narrowed" if _narrows(step, wide) else "rounded_shift"
+            name = "narrowed" if narrows(step, wide) else "rounded_shift"
             return f"ksl_{name}_lanes({{}}, {integer(step.operands[1])})", CALL
         if step.op in CIRCULAR:
             return f"ksl_{step.op.value}{IN_LANES.called}({{}}, {integer(step.operands[1])})", CALL

@@ -9,7 +9,7 @@ from math import sqrt as root_of
 
 from coscrew_codegen.scene.effect import Given
 from coscrew_codegen.scene.mechanism.collision import Collision
-from coscrew_codegen.scene.mechanism.rotations import Entries
+from coscrew_codegen.scene.mechanism.rotations import turned
 
 SHAPE_KEYS = ("shape", "point", "radius", "axis", "length", "size")
 """The values that say what touches; a contact without any of them takes its body's shapes from the
@@ -48,10 +48,10 @@ def parts_of(values: Given, shape: Collision) -> Sequence[Given]:
     if shape.shape == "sphere":
         return _moved(values, {"shape": "sphere", "radius": shape.size[0]}, shape.t, [(0, 0, 0)])
     if shape.shape == "box":
-        return _moved(values, {}, shape.t, [_turned(shape.R, x) for x in _corners(shape.size)])
+        return _moved(values, {}, shape.t, [turned(shape.R, x) for x in _corners(shape.size)])
     own: Given = {"shape": "sphere", "radius": shape.size[0]}
     if shape.shape == "cylinder":
-        own = {"shape": "disc", "radius": shape.size[0], "axis": _turned(shape.R, _Z)}
+        own = {"shape": "disc", "radius": shape.size[0], "axis": turned(shape.R, _Z)}
     return _moved(values, own, shape.t, _ends(shape))
 
 
@@ -69,7 +69,7 @@ def side_of(side: str, shape: Collision) -> Given:
 
 def _ends(shape: Collision) -> _Offsets:
     """The ends of the axis of a capsule or cylinder from its centre."""
-    axis, half = _turned(shape.R, _Z), shape.size[1] / 2
+    axis, half = turned(shape.R, _Z), shape.size[1] / 2
     return [tuple(sign * half * x for x in axis) for sign in _SIGNS]
 
 
@@ -84,11 +84,6 @@ def _corners(size: Sequence[Fraction]) -> _Offsets:
     """The corners of a box of these edges about its centre."""
     return [tuple(sign * edge / 2 for sign, edge in zip(signs, size, strict=True))
             for signs in product(_SIGNS, repeat=3)]
-
-
-def _turned(R: Entries, x: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """R x, of a rotation row by row."""
-    return tuple(sum((R[3 * i + j] * x[j] for j in range(3)), Fraction(0)) for i in range(3))
 
 
 def _numbers(given: object) -> tuple[Fraction, ...]:

@@ -21,6 +21,7 @@ class AxisLength(Enum):
     FLOATING = "floating trees"
     LINEAR = "parameters on which torques depend linearly"
     BASE = "base parameters"
+    LOOPS = "closed loops"
     ROWS = "rows of closed loops"
     CONTACTS = "contacts of bodies"
     EFFECT_STATES = "states of effects"

@@ -25,7 +25,8 @@ class Notice:
     of: str  # "joint elbow"
     text: str  # the whole line
     remedy: str = ""  # 'add [effects.viscous] with joints = "all" and d = "model"', if that is one
-    used_by: tuple[str, str] = ("", "")  # the effect that uses it, and its joint, body or label
+    used_by: tuple[str, str] = ("", "")  # the effect that uses it, and its joint, body or label, or
+    # "" for any
 
     def __post_init__(self) -> None:
         if self.subject not in SUBJECTS:

@@ -106,6 +106,11 @@ def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
                  for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
 
 
+def turned(R: Entries, vector: Sequence[Fraction]) -> Entries:
+    """R v, exactly.  (9),(3)->(3)."""
+    return tuple(_dot(R[3 * i:3 * i + 3], tuple(vector)) for i in range(3))
+
+
 def _dot(a: Entries, b: Entries) -> Fraction:
     """a·b, exactly; right angles make most terms zero."""
     return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))

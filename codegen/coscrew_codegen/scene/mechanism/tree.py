@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement
+from coscrew_codegen.scene.mechanism.rotations import turned
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residue
 
 _ZERO = Fraction(0)
@@ -108,6 +109,12 @@ def composed(outer: Placement, inner: Placement) -> Placement:
     return Placement(
         tuple(_product(R[3 * i:3 * i + 3], inner.R[j::3], _ZERO) for i in rows for j in rows),
         tuple(_product(R[3 * i:3 * i + 3], inner.t, t[i]) for i in rows))
+
+
+def inverse(frame: Placement) -> Placement:
+    """D^-1 = (R^T, -R^T t)."""
+    back = tuple(frame.R[3 * j + i] for i in range(3) for j in range(3))
+    return Placement(back, tuple(-x for x in turned(back, frame.t)))
 
 
 def _product(a: Sequence[Fraction], b: Sequence[Fraction], c: Fraction) -> Fraction:

@@ -8,8 +8,9 @@ from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
 from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.loop import ClosedLoop, Law
-from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint, Placement
+from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.rotations import turned
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelSource, Parts
@@ -74,7 +75,7 @@ def _loop(loop: ClosedLoop, to: str, at: Placement, prefix: str) -> ClosedLoop:
         replace(x, body=f"{prefix}{x.body}") if x.body != WORLD else
         replace(x, body=to, point=composed(at, Placement(x.R, x.point)).t,
                 R=composed(at, Placement(x.R, x.point)).R,
-                axis=composed(Placement(at.R, HERE.t), Placement(HERE.R, x.axis)).t)
+                axis=turned(at.R, x.axis))
         for x in (loop.first, loop.second))
     return replace(loop, name=f"{prefix}{loop.name}", first=first, second=second,
                    law=loop.law and _law(loop.law, prefix))

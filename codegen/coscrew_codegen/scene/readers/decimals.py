@@ -23,6 +23,14 @@ def decimal(text: str) -> Fraction:
     return bounded(Fraction(Decimal(text)), text)
 
 
+def numbers_in(text: str, count: int) -> tuple[Fraction, ...]:
+    """The numbers in a text, `count` between blanks.  Raises ValueError as `decimal`."""
+    words = text.split()
+    if len(words) != count:
+        raise ValueError(f"{shown(text)}; wanted {count} number{'s' * (count > 1)}")
+    return tuple(map(decimal, words))
+
+
 def bounded(number: Fraction, text: str) -> Fraction:
     """The number, if it is within range; raises ValueError if not."""
     if number and not 1 / LARGEST <= abs(number) <= LARGEST:

@@ -82,9 +82,14 @@ class Parts:
         tree = self.tree(source)
         with self._placing_errors(source):
             led = without_chains(with_faults(tree, self.mimics_by_file(source)))
-            clean = without_residues(replace(led, loops=self.loops))
-            all_notices = (*notices(self.effects, clean), *notices(self.offered, clean),
-                           *self.notices)
+            links = led.links()
+            idle = [x for x in self.loops if not x.law and len({links[y] for y in x.bodies}) == 1]
+            clean = without_residues(replace(led, loops=tuple(
+                x for x in self.loops if x not in idle)))
+            all_notices = (
+                *notices(self.effects, clean), *notices(self.offered, clean), *self.notices,
+                *(Notice("other tools' joints", f"joint {x.name}", f"joint {x.name}: holds bodies "
+                         "that cannot move against each other, and is not used") for x in idle))
             return judged(replace(clean, implausible=self.implausible, notices=all_notices,
                                   collisions=self.collisions), source.implausible)
 

@@ -49,6 +49,7 @@ class RobotDrawing:
     unread: int = 0  # meshes that are boxes since no package reads them
     pieces: dict[str, Pieces] = field(default_factory=dict)  # of the meshes, by identity
     touching: list[DrawnPart] = field(default_factory=list)  # collision shapes
+    inertias: list[DrawnPart] = field(default_factory=list)  # boxes of bodies drawn otherwise
 
 
 def drawn(system: System) -> RobotDrawing:
@@ -57,12 +58,17 @@ def drawn(system: System) -> RobotDrawing:
     numbers = {body.name: n for n, body in enumerate(model.bodies)}
     shown = set(_add_visuals(drawing, model.bodies, numbers))
     any_visual = any(body.visuals for body in model.bodies)
-    shown |= {*_add_contacts(system, drawing, shown, numbers)}
+    shown |= {*_add_contacts(system, drawing, shown, {WORLD: -1, **numbers})}
     inertias = {x.name: x.inertia for x in model.bodies if x.inertia}
     least = _HARDLY * sum(number_of(system, x.mass) for x in inertias.values()) if any_visual else 0
     for name, inertia in inertias.items():
-        if name not in shown and number_of(system, inertia.mass) >= least:
-            _add_box(system, drawing, inertia, numbers[name], linked=not any_visual)
+        box = _box(system, inertia, numbers[name])
+        if name in shown:
+            drawing.inertias.append(box)
+        elif number_of(system, inertia.mass) >= least:
+            drawing.parts.append(box)
+            if not any_visual:
+                _add_rod(drawing, box.body, np.array(box.place[:3]), _ROD / 2 * _size(system))
     if not any_visual:
         for joint in model.joints:
             _add_linkage(system, drawing, joint, {WORLD: -1, **numbers})
@@ -106,11 +112,12 @@ def _add_contacts(system: System, drawing: RobotDrawing, shown: Set[str], number
                   ) -> Iterator[str]:
     """Add the shapes of contacts: hidden ones of bodies that are shown; yields the names of others
     whose shape holds their centre of mass."""
-    inertias = {x.name: x.inertia for x in system.scene.model.bodies}
+    inertias = {WORLD: None, **{x.name: x.inertia for x in system.scene.model.bodies}}
     point = 2 * _ROD * _size(system)
     for name, shape in touching(system, point):
         kind, size, place = shape
-        part = DrawnPart(numbers[name], kind, size, place, _colour(numbers[name]))
+        colour = UNPAINTED if name == WORLD else _colour(numbers[name])
+        part = DrawnPart(numbers[name], kind, size, place, colour)
         inertia = inertias[name]
         if name in shown:
             drawing.touching.append(part)
@@ -162,16 +169,13 @@ def _add_rod(drawing: RobotDrawing, body: int, to: np.ndarray, radius: float) ->
                                    _LINKAGE))
 
 
-def _add_box(system: System, drawing: RobotDrawing, inertia: Inertia, body: int, linked: bool
-             ) -> None:
-    """Add a box with the body's mass and inertia, and the rod to its centre if it is `linked`."""
+def _box(system: System, inertia: Inertia, body: int) -> DrawnPart:
+    """The uniform box of the body's mass and inertia."""
     half, axes = box_of(*(numbers_of(system, x) for x in ((inertia.mass,), inertia.moments)))
     half = np.maximum(half, _THIN * (max(half) if max(half) > 0 else _size(system)))
     centre = numbers_of(system, inertia.com)
     place = (*centre.tolist(), *coscrew.double.quaternion_from_mat3x3(axes).tolist())
-    drawing.parts.append(DrawnPart(body, "box", tuple((2 * half).tolist()), place, _colour(body)))
-    if linked:
-        _add_rod(drawing, body, centre, _ROD / 2 * _size(system))
+    return DrawnPart(body, "box", tuple((2 * half).tolist()), place, _colour(body))
 
 
 def box_of(mass: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

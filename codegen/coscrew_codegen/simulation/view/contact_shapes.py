@@ -1,15 +1,16 @@
-"""Shapes with which bodies touch, as the contacts of a scene give them, whole."""
+"""Shapes with which bodies touch the ground and each other, as the contacts of a scene give them,
+whole."""
 
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 import numpy as np
 
-from coscrew_codegen.program.values.parameter import Scalar
+from coscrew_codegen.scene.effect import POINTS
 from coscrew_codegen.scene.mechanism.visual import HERE
 from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.simulation.system import System
-from coscrew_codegen.simulation.view.part_places import along, number_of, numbers_of
+from coscrew_codegen.simulation.view.part_places import along, numbers_of, value_of
 
 _FLAT = 0.1  # thickness of a disc, in radii
 _CORNERS = 8
@@ -19,15 +20,36 @@ Shape = tuple[str, tuple[float, ...], tuple[float, ...]]
 
 
 def contacts(system: System) -> list[Applied]:
-    """The contacts of the scene."""
+    """The contacts with the ground."""
     return [x for x in system.scene.effects if x.effect.name == "contact" and x.on]
 
 
 def touching(system: System, point: float) -> Iterator[tuple[str, Shape]]:
-    """The shapes, with the names of their bodies; points are balls of this radius."""
+    """The shapes, each once, with the names of their bodies; points are balls of this radius."""
+    yield from dict.fromkeys((*_on_ground(system, point), *_of_pairs(system)))
+
+
+def _on_ground(system: System, point: float) -> Iterator[tuple[str, Shape]]:
     for (body, _), several in groupby(contacts(system), key=lambda x: (x.on, _stem(x))):
         for shape in _joined([*several], system, point):
             yield body, shape
+
+
+def _of_pairs(system: System) -> Iterator[tuple[str, Shape]]:
+    """The spheres and capsules with which two bodies touch; one of them may be the world."""
+    for x in (x for x in system.scene.effects if x.effect.bodies_force):
+        for body, end in zip(x.bodies, (x.name for x in POINTS), strict=True):
+            start = numbers_of(system, x.vector(end))
+            stop = numbers_of(system, x.vector(f"{end}_end"))
+            yield body, _round(start, stop, value_of(system, x, f"{end}_radius"))
+
+
+def _round(start: np.ndarray, stop: np.ndarray, radius: float) -> Shape:
+    """The capsule from a point to another, or the sphere about the first, if there is no other."""
+    if not stop.size:
+        return "sphere", (radius,), (*start.tolist(), *HERE[3:])
+    length = float(np.linalg.norm(stop - start))
+    return "capsule", (radius, length), along((start + stop) / 2, stop - start)
 
 
 def _stem(contact: Applied) -> str:
@@ -46,21 +68,14 @@ def _joined(parts: Sequence[Applied], system: System, point: float) -> Iterator[
             len({*column}) == 2 for column in places.T.tolist()):
         yield "box", tuple((high - low).tolist()), (*((low + high) / 2).tolist(), *HERE[3:])
     elif kinds == {"sphere"} and len(parts) == 2 and len(sizes) == 1:
-        ends = places[1] - places[0]
-        yield "capsule", (*singles[0][1], float(np.linalg.norm(ends))), along(places.mean(0), ends)
+        yield _round(*places, *singles[0][1])
     else:
         yield from singles
 
 
 def _single(contact: Applied, place: np.ndarray, system: System, point: float) -> Shape:
-    radius = radius_of(contact, system) or point
+    radius = value_of(system, contact, "radius") or point
     if contact.values["shape"] == "disc":
         axis = numbers_of(system, contact.vector("axis"))
         return "cylinder", (radius, _FLAT * radius), along(place, axis)
-    return "sphere", (radius,), (*place.tolist(), *HERE[3:])
-
-
-def radius_of(contact: Applied, system: System) -> float:
-    """The radius of a contact's shape; 0 of a point."""
-    radius = contact.values["radius"]
-    return number_of(system, radius) if isinstance(radius, Scalar) else 0.0
+    return _round(place, np.empty(0), radius)

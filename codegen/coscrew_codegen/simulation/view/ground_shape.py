@@ -1,20 +1,23 @@
 """The ground of a picture: the plane or the heights on which a scene's contacts stand."""
 
+from functools import partial
+
 import numpy as np
 
 from coscrew_codegen.backends.html.pages import Json
-from coscrew_codegen.program.values.parameter import Scalar
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.program.values.table_arrays import gathered, indices
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.contact_shapes import contacts
 from coscrew_codegen.simulation.view.page_block import NumberBlock
-from coscrew_codegen.simulation.view.part_places import number_of, numbers_of
+from coscrew_codegen.simulation.view.part_places import numbers_of, value_of
 
 _POINTS = 96  # of heights, along each edge
 _MARGIN = 0.75  # beyond where bodies are, in the extent of their positions
 _ARRAYS = {"sin": np.sin, "cos": np.cos, "exp": np.exp, "tanh": np.tanh, "sqrt": np.sqrt,
            "abs": np.abs, "min": np.minimum, "max": np.maximum, "pi": np.pi, "number": float,
-           "less": np.less, "where": np.where}
+           "index": indices, "gather": partial(gathered, DOUBLE)}
 
 
 def ground_of(system: System, poses: np.ndarray, block: NumberBlock) -> Json:
@@ -28,9 +31,8 @@ def ground_of(system: System, poses: np.ndarray, block: NumberBlock) -> Json:
         return _heights(height, poses, block)
     normal = numbers_of(system, given.vector("normal")) if given else np.empty(0)
     normal = normal / np.linalg.norm(normal) if normal.size else np.array([0.0, 0, 1])
-    offset = given.values["offset"] if given else None
     return {"normal": normal.tolist(),
-            "offset": number_of(system, offset) if isinstance(offset, Scalar) else 0.0}
+            "offset": value_of(system, given, "offset") if given else 0.0}
 
 
 def _heights(height: Formula, poses: np.ndarray, block: NumberBlock) -> Json:

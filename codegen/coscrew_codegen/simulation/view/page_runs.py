@@ -1,7 +1,7 @@
 """Runs of a page: poses of all bodies and columns of numbers at the times that are shown; of a
 result, of a recording in a file, and of the targets of actuators."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -9,13 +9,14 @@ import numpy as np
 import coscrew
 from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.function_selection import ALL_CONTACTS
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.recordings.recording_reader import columns_of
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view import page_signals
 from coscrew_codegen.simulation.view.page_signals import Columns
-from coscrew_codegen.simulation.view.part_places import numbers_of
+from coscrew_codegen.simulation.view.part_places import number_of, numbers_of
 
 _FRAMES_A_SECOND = 60
 _MOST_NUMBERS = 2_000_000  # numbers in all poses: 8 MB, enough for a minute of thirty bodies
@@ -31,6 +32,8 @@ class PageRun:
     poses: np.ndarray  # (n, bodies, 7): position and unit quaternion x, y, z, w
     columns: Columns
     shown: bool = True  # from the start
+    contacts: np.ndarray = field(default_factory=lambda: np.zeros((0, 0, 6), np.float32))
+    """(n, contacts, 6): point and force in the world's frame; only of the result's own runs."""
 
 
 def run_of(result: Result, label: str) -> PageRun:
@@ -41,7 +44,9 @@ def run_of(result: Result, label: str) -> PageRun:
     columns = {x.name: result.recording.values[frames, i].astype(float)
                for i, x in enumerate(result.recording.columns)}
     t, q, v = (x[frames] for x in (trajectory.t, trajectory.q, trajectory.v))
-    return _finite(system, label, t, q, {**columns, **page_signals.energies(system, t, q, v)})
+    run = _finite(system, label, t, q, {**columns, **page_signals.energies(system, t, q, v)})
+    n = len(run.t)
+    return replace(run, contacts=_contacts(system, t[:n], q[:n], v[:n]))
 
 
 def run_in(path: Path, system: System) -> PageRun:
@@ -63,10 +68,12 @@ def run_in(path: Path, system: System) -> PageRun:
 
 def target_of(system: System, run: PageRun) -> PageRun | None:
     """The run with the targets of actuators in place of the coordinates that they drive; None if
-    there are none."""
+    there are none.  Without kp an actuator drives the velocity alone."""
     q, columns = np.array(run.q, float), {}
     for applied in system.scene.effects:
-        target = applied.values.get("target")
+        kp, target = map(applied.values.get, ("kp", "target"))
+        if isinstance(kp, Scalar) and number_of(system, kp) == 0:
+            continue
         for c in (x for x in system.functions.coordinates if x.joint == applied.on):
             if isinstance(target, Formula | Scalar):
                 q[:, c.q.start] = [target.at(t) for t in run.t] if isinstance(target, Formula) \
@@ -82,6 +89,21 @@ def _finite(system: System, label: str, t: np.ndarray, q: np.ndarray, columns: C
     n = max(1, int(np.argmin([*np.isfinite(poses).all((1, 2)), False])))
     return PageRun(label, t[:n], q[:n], poses[:n],
                    {name: values[:n] for name, values in columns.items()}, shown)
+
+
+def _contacts(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Point and force of each contact; zeros at samples next to none at which it touches."""
+    if not system.has(ALL_CONTACTS):
+        return np.zeros((len(t), 0, 6), np.float32)
+    with np.errstate(all="ignore"):
+        points, forces, *_ = (np.asarray(x, float) for x in system.outputs(
+            ALL_CONTACTS, t=t, q=q, v=v))
+        both = np.nan_to_num(np.concatenate((points, forces), -1)).astype(np.float32)
+    touches = both[..., 3:].any(-1)
+    near = touches.copy()
+    near[1:] |= touches[:-1]
+    near[:-1] |= touches[1:]
+    return np.where(near[..., None], both, np.float32(0))
 
 
 def _frames(t: np.ndarray, bodies: int) -> np.ndarray:

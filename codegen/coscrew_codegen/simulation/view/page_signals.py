@@ -12,21 +12,20 @@ from coscrew_codegen.scene.mechanism.loop import ROD
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.recorded_quantities import Recorded, recorded
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.recordings.recording import Column
 from coscrew_codegen.simulation.system import System
-from coscrew_codegen.simulation.view.contact_shapes import contacts, radius_of
 from coscrew_codegen.simulation.view.page_block import NumberBlock
 from coscrew_codegen.simulation.view.part_places import numbers_of
 
 Columns = Mapping[str, np.ndarray]
 """Values by the names of columns, at the times of a run's poses."""
-_TITLES = {"q": "Positions q", "v": "Velocities v", "a": "Accelerations a"}
+_TITLES = {"q": "Positions q", "v": "Velocities v", "a": "Accelerations a",
+           "x": "States x"}
 _FIRST = ("q", "energy", "v", "power", "a")  # groups, in the order in which they are shown
 _ENERGY = "energy"
 _SHOWN = ("q", _ENERGY)  # of each of these the first group is plotted from the start
 _NARROW = 0.1  # range, of the values
-_FORCE, _CONTACT, _REACTION, _CLOSING = "#e5484d", "#12a594", "#f76b15", "#8e4ec6"
+_FORCE, _REACTION, _CLOSING = "#e5484d", "#f76b15", "#8e4ec6"
 
 
 @dataclass
@@ -70,7 +69,7 @@ def _named(column: Column, system: System) -> tuple[str, str, str]:
     if column.quantity == _ENERGY and column.name.startswith(f"{_ENERGY}."):
         return "Energy", column.name.partition(".")[2], _ENERGY
     x = recorded(column.name, system.scene)
-    if x.quantity in UNITS:
+    if x.quantity in _TITLES:
         return _TITLES[x.quantity], column.name.partition(".")[2], x.quantity
     if x.of_effect:
         return x.quantity.capitalize(), column.name, x.quantity
@@ -114,7 +113,8 @@ def _values(values: np.ndarray, block: NumberBlock) -> dict[str, Json]:
 
 
 def arrows(system: System, columns: Columns) -> Iterator[Json]:
-    """The arrows of the reactions and forces whose three components are recorded."""
+    """The arrows of the reactions and forces whose three components are recorded, except
+    of contacts, which are drawn whether recorded or not."""
     bodies = {WORLD: -1, **{body.name: n for n, body in enumerate(system.scene.model.bodies)}}
     for joint in system.scene.model.joints:
         names = [f"reaction.{joint.name}.{i}" for i in range(3)]
@@ -126,13 +126,12 @@ def arrows(system: System, columns: Columns) -> Iterator[Json]:
         if all(x in columns for x in names):
             yield {"body": bodies[loop.first.body], "point": [*map(float, loop.first.point)],
                    "signals": names, "turns": True, "colour": _CLOSING}
-    touches = {x.name: radius_of(x, system) for x in contacts(system)}
     for applied in system.scene.effects:
         names = [f"{applied.name}.force.{i}" for i in range(3)]
-        if all(x in columns for x in names):
+        touches = applied.effect.parts or applied.effect.bodies_force
+        if not touches and all(x in columns for x in names):
             yield {"body": bodies[applied.on], "point": _point(system, applied), "signals": names,
-                   "turns": False, "radius": touches.get(applied.name, 0.0),
-                   "colour": _CONTACT if applied.name in touches else _FORCE}
+                   "turns": False, "colour": _FORCE}
 
 
 def _point(system: System, applied: Applied) -> list[float]:

@@ -47,6 +47,7 @@ def text_of(shown: Playback) -> str:
     data = {"runs": [_packed(x, block) for x in runs], **_model(first.system, bodies),
             **_parts(drawing, block), "groups": page_signals.packed(shown.groups, block),
             "arrows": [*page_signals.arrows(first.system, runs[0].columns)],
+            "contacts": _contacts(runs[0].contacts, block),
             "ties": [*page_signals.ties(first.system)],
             "ground": ground_of(first.system, runs[0].poses, block)}
     end = runs[0].t[-1]
@@ -77,6 +78,14 @@ def _sentence(result: Result) -> str:
 def _packed(run: PageRun, block: NumberBlock) -> Json:
     return {"label": run.label, "shown": run.shown, "t": block.put(run.t, "f8"),
             "poses": block.put(run.poses.transpose(1, 2, 0), "f4")}
+
+
+def _contacts(points_and_forces: np.ndarray, block: NumberBlock) -> Json:
+    """Places of the arrays of each contact that ever touches: x, y, z, and the force's
+    components."""
+    touching = points_and_forces[..., 3:].any((0, 2))
+    return [[block.put(x, "f4") for x in one.T]
+            for one in points_and_forces[:, touching].transpose(1, 0, 2)]
 
 
 def _model(system: System, shown: Set[int]) -> dict[str, Json]:
@@ -114,7 +123,7 @@ def _tracked(system: System, numbers: dict[str, int]) -> int:
 
 
 def _parts(drawing: RobotDrawing, block: NumberBlock) -> dict[str, Json]:
-    """The parts and the collision shapes, and the meshes that they name by number."""
+    """The parts, those of collisions and of inertia, and the meshes that they name by number."""
     pieces: list[Piece] = []
     for part in (*drawing.parts, *drawing.touching):
         if part.piece and not any(x is part.piece for x in pieces):
@@ -122,7 +131,8 @@ def _parts(drawing: RobotDrawing, block: NumberBlock) -> dict[str, Json]:
     numbers = {id(x): n for n, x in enumerate(pieces)}
     return {"meshes": [_mesh(x, block) for x in pieces],
             "parts": [*_entries(drawing.parts, numbers)],
-            "collisions": [*_entries(drawing.touching, numbers)]}
+            "collisions": [*_entries(drawing.touching, numbers)],
+            "inertias": [*_entries(drawing.inertias, numbers)]}
 
 
 def _entries(parts: Sequence[DrawnPart], numbers: dict[int, int]) -> Iterator[Json]:

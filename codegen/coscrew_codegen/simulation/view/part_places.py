@@ -3,6 +3,7 @@
 import numpy as np
 
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.simulation.system import System
 
 
@@ -14,6 +15,12 @@ def numbers_of(system: System, values: tuple[Scalar, ...]) -> np.ndarray:
 def number_of(system: System, value: Scalar) -> float:
     """The number, with the system's parameters."""
     return system.p[value.index] if isinstance(value, Parameter) else float(value)
+
+
+def value_of(system: System, applied: Applied, name: str) -> float:
+    """The effect's number of this name; 0 where it has none."""
+    value = applied.values[name]
+    return number_of(system, value) if isinstance(value, Scalar) else 0.0
 
 
 def along(place: np.ndarray, direction: np.ndarray) -> tuple[float, ...]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from coscrew_codegen.runtime.extras import pip
 from coscrew_codegen.runtime.load import kernels_for
+from coscrew_codegen.scene.function_selection import names
 from coscrew_codegen.simulation import required_functions
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System, system
@@ -55,9 +56,9 @@ def playback(results: Sequence[Result], besides: Sequence[PageRun] = ()) -> Play
 
 
 def with_poses(result: Result) -> Result:
-    """The result with a system that has the poses of all bodies."""
+    """The result with a system that has the poses of all bodies, and all contacts."""
     its = result.system
-    if its.has("body_poses"):
+    if all(map(its.has, {*required_functions.VIEWED}.intersection(names(its.scene)))):
         return result
     kernels = kernels_for(its.scene, required_functions.of_run(
         its.scene, result.plan.integrator, view=True), (its.precision.name,))

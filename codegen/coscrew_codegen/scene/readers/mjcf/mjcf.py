@@ -31,11 +31,12 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_laws import laws
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
-from coscrew_codegen.scene.readers.mjcf.mjcf_loops import MjcfLoops, loops
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import loops
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
+from coscrew_codegen.scene.readers.placed_loops import PlacedLoops
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ def _parts(source: ModelSource) -> Parts:
     names = MjcfNames(model)
     left_out, drives = tuple(refused(source, model, names)), actuators(model, names)
     seen = MjcfVisuals(model)
-    closed = MjcfLoops() if "loops" in source.leave_out else loops(model, names)
+    closed = PlacedLoops() if "loops" in source.leave_out else loops(model, names)
     parts = [*(x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)),
              *closed.frames]
     joints = tuple(x for x in parts if isinstance(x, Joint))
@@ -181,5 +182,5 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
 READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
     "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
-    "closed loops, gravity and its compensation; shapes that touch change no motion yet", _parts,
+    "closed loops, gravity and its compensation, shapes for [effects.contact]", _parts,
     modules=("mujoco",), extra="mjcf", leaves_out=tuple(GROUPS))

@@ -3,17 +3,11 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.mechanism.collision import (
-    PLANE,
-    Collision,
-    Friction,
-    checked,
-    unusable,
-)
+from coscrew_codegen.scene.mechanism.collision import Collision, Friction, checked, unusable
 from coscrew_codegen.scene.mechanism.rotations import from_quaternion
 from coscrew_codegen.scene.mechanism.visual import MESH
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
-from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
+from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals, shape_of
 
 if TYPE_CHECKING:
     import mujoco
@@ -28,24 +22,13 @@ def collisions(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals) -> 
 
 def _collision(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals, geom: int
                ) -> Collision:
-    import mujoco
-
-    kinds = mujoco.mjtGeom
     name, body = model.geom(geom).name, names.body(int(model.geom_bodyid[geom]))
+    try:
+        shape, size = shape_of(model, geom)
+    except ValueError as error:
+        return unusable(name, body, str(error))
     w, x, y, z = exact(model.geom_quat[geom])
-    a, b, c = exact(model.geom_size[geom])
-    sizes = {kinds.mjGEOM_SPHERE: ("sphere", (a,)),
-             kinds.mjGEOM_CAPSULE: ("capsule", (a, 2 * b)),
-             kinds.mjGEOM_CYLINDER: ("cylinder", (a, 2 * b)),
-             kinds.mjGEOM_BOX: ("box", (2 * a, 2 * b, 2 * c)),
-             kinds.mjGEOM_ELLIPSOID: ("ellipsoid", (a, b, c)),
-             kinds.mjGEOM_PLANE: (PLANE, ()), kinds.mjGEOM_MESH: (MESH, ())}
-    kind = kinds(int(model.geom_type[geom]))
-    if kind not in sizes:
-        return unusable(name, body, "a geom of the type "
-                        f"{kind.name.removeprefix('mjGEOM_').lower()} is not kept")
     sliding, torsional, rolling = exact(model.geom_friction[geom])
-    shape, size = sizes[kind]
     return checked(Collision(
         name, body, shape, size, exact(model.geom_pos[geom]), from_quaternion((x, y, z, w)),
         Friction(sliding, sliding, torsional, rolling),

@@ -4,7 +4,7 @@ nothing by itself, or is not read, as contact, is reported."""
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.notices import COLLISION, Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators, unkept_rotors
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import following
 from coscrew_codegen.scene.readers.mjcf.mjcf_laws import lawful
@@ -30,6 +30,8 @@ GROUPS: Mapping[str, str] = {
 """What `leave_out` may name, and why it is not kept."""
 
 _OTHER = "other tools' numbers"
+_MANY = 5
+"""Keyframes that a message lists."""
 
 
 def refused(source: ModelSource, model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
@@ -98,5 +100,10 @@ def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
                          "holds bodies that cannot move against each other, and is not used")
     count = int(((model.geom_contype != 0) | (model.geom_conaffinity != 0)).sum())
     if count:
-        yield Notice(_OTHER, "model", f"{count} geoms may touch others in MuJoCo: contact is not "
-                     "used")
+        remedy = "add [effects.contact] with mu"
+        yield Notice(COLLISION, "model", f"{count} geom{'s' * (count > 1)} may touch others in "
+                     f"MuJoCo, and nothing here: {remedy}", remedy, ("contact", ""))
+    if model.nkey:
+        keys = [model.key(k).name or str(k) for k in range(model.nkey)]
+        yield Notice(_OTHER, "model", f"keyframe{'s' * (len(keys) > 1)} {', '.join(keys[:_MANY])}"
+                     f"{', …' * (len(keys) > _MANY)}: not used; [start.q] of a scene sets a start")

@@ -1,25 +1,16 @@
 """Closed loops of an MJCF: bodies that an equality connects at a point, or welds."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
-from coscrew_codegen.scene.mechanism.loop import FRAME, POINT, ClosedLoop, LoopEnd, LoopKind
-from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Placement
+from coscrew_codegen.scene.mechanism.loop import FRAME, POINT, LoopKind
+from coscrew_codegen.scene.mechanism.model import HERE, Placement
 from coscrew_codegen.scene.mechanism.rotations import from_quaternion
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
+from coscrew_codegen.scene.readers.placed_loops import PlacedLoops
 
 if TYPE_CHECKING:
     import mujoco
-
-
-@dataclass
-class MjcfLoops:
-    """The loops, and the frames, fixed to bodies, that welds hold together."""
-
-    loops: list[ClosedLoop] = field(default_factory=list)
-    frames: list[Body | Joint] = field(default_factory=list)
 
 
 def closings(model: "mujoco.MjModel") -> Iterator[int]:
@@ -36,25 +27,14 @@ def idle(model: "mujoco.MjModel", e: int) -> bool:
     return _kind(model, e) is not None and e not in closings(model) and bool(model.eq_active0[e])
 
 
-def loops(model: "mujoco.MjModel", names: MjcfNames) -> MjcfLoops:
+def loops(model: "mujoco.MjModel", names: MjcfNames) -> PlacedLoops:
     """Returns the loops of a model."""
-    result = MjcfLoops()
+    result = PlacedLoops()
     for e in closings(model):
-        kind, name = _kind(model, e), names.equality(e)
+        kind, bodies = _kind(model, e), map(names.body, _bodies(model, e))
         assert kind
-        ends: list[LoopEnd] = []
-        for body, place, word in zip(_bodies(model, e), _places(model, e), ("first", "second"),
-                                     strict=True):
-            on = names.body(body)
-            if kind is FRAME and place.R != HERE.R:
-                frame = names.new_body(f"{name}/{word}")
-                result.frames += (Body(frame), Joint(names.new_joint(f"{frame}/frame"), FIXED, on,
-                                                     frame, place))
-                ends.append(LoopEnd(frame))
-            else:
-                ends.append(LoopEnd(on, place.t))
-        first, second = ends
-        result.loops.append(ClosedLoop(name, kind, first, second))
+        result.close(names.equality(e), kind, zip(bodies, _places(model, e), strict=True),
+                     new_body=names.new_body, new_joint=names.new_joint)
     return result
 
 

@@ -27,7 +27,7 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
 
 def besides(model: Model, acting: tuple[Applied, ...]) -> Iterator[Notice]:
     """Notices of what the model's file says besides the model, and no effect uses."""
-    there = {(x.effect.name, on) for x in acting for on in (x.on, x.label)}
+    there = {(x.effect.name, on) for x in acting for on in (x.on, x.label, "")}
     yield from (x for x in model.notices if x.used_by not in there)
 
 

@@ -5,7 +5,7 @@ nothing.  Numbers are in SI units; names in a model that is in another begin wit
 `hand::palm`.
 """
 
-from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
@@ -15,13 +15,14 @@ from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
-from coscrew_codegen.scene.readers.sdf.sdf_collisions import collisions
+from coscrew_codegen.scene.readers.sdf.sdf_gears import GROUP, gears
+from coscrew_codegen.scene.readers.sdf.sdf_joints import GEARBOX
 from coscrew_codegen.scene.readers.sdf.sdf_loops import SdfLoops
-from coscrew_codegen.scene.readers.sdf.sdf_visuals import visuals
+from coscrew_codegen.scene.readers.sdf.sdf_shapes import shapes_of
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
-from coscrew_codegen.scene.readers.urdf.xml import Element
+from coscrew_codegen.scene.readers.urdf.urdf_schema import MOMENTS
+from coscrew_codegen.scene.readers.xml_files.xml import Element
 
-_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _ONE: tuple[Fraction, ...] = (Fraction(1),) * 3
 _NONE: tuple[Fraction, ...] = (Fraction(0),) * 3
 _DEFAULTS = {"inertial": "1 kg and 1 kg m²", "mass": "1 kg", "inertia": "1 kg m²"}
@@ -34,25 +35,30 @@ class _Sdf(SdfLoops):
 
     def __init__(self, source: ModelSource) -> None:
         super().__init__(source.path)
-        self.source = source
-        self.lenient = source.lenient
+        self.lenient, self.left_out = source.lenient, source.leave_out
+        self.shapes = shapes_of(source, self.pose)
         self.lacking: list[str] = []  # inertias that were taken as SDF's defaults
 
     def parts(self) -> Parts:
         model, gravity = self._model()
         self.collect(model, "")
-        self.close(opened="loops" in self.source.leave_out)
+        self.close(opened="loops" in self.left_out)
+        mimics = gears(self, left_out=GROUP in self.left_out)
         parts: list[Body | Joint] = []
+        links = {full: x for full, (x, _) in self.frames.items() if x.tag == "link"}
         for full, (element, scope) in self.frames.items():
             if element.tag == "link":
                 parts.append(self._body(element, full))
-            elif element.tag == "joint" and full not in self.closings.names:
-                parts += self.joint(element, full, scope)
+            elif element.tag == "joint" and full not in self.closing and (
+                    element.attributes.get("type") != GEARBOX):
+                parts += (replace(x, mimic=mimics[full]) if x.name == full in mimics
+                          and isinstance(x, Joint) else x
+                          for x in self.joint(element, full, scope))
             elif element.tag == "frame":
                 link = self.link_of(full)
                 parts += (Body(full), Joint(f"{full}/frame", FIXED, link, full,
                                             self.within(link, full)))
-        parts += self.closings.frames
+        parts += self.closures.frames
         effects: Effects = {"gravity": gravity, "spring": self.springs}
         return Parts(
             self.name(model), tuple(x for x in parts if isinstance(x, Body)),
@@ -61,20 +67,16 @@ class _Sdf(SdfLoops):
                 for full, (x, _) in self.frames.items()},
             effects={name: table for name, table in effects.items() if table},
             implausible=tuple(self.lacking), notices=tuple(self.notices), base=FREE,
-            roots={full: self.within(WORLD, full) for full, x in self._links()},
-            loops=tuple(self.closings.loops),
-            collisions=tuple(y for full, x in self._links()
-                             for y in collisions(self, x, full, self.source)))
-
-    def _links(self) -> Iterator[tuple[str, Element]]:
-        """The links by full name."""
-        return ((full, x) for full, (x, _) in self.frames.items() if x.tag == "link")
+            roots={full: self.within(WORLD, full) for full in links},
+            loops=tuple(self.closures.loops),
+            collisions=tuple(y for full, x in links.items()
+                             for y in self.shapes.collisions(x, full)))
 
     def _model(self) -> tuple[Element, dict[str, object]]:
         """The one model of the file, and the gravity of the world that it stands in, if any."""
         worlds = self.root.all("world")
-        for include in (x for world in worlds for x in world.all("include")):
-            self.refuse_include(include)
+        for world in worlds:
+            self.refuse_includes(world)
         models = [*self.root.all("model"), *(x for world in worlds for x in world.all("model"))]
         if len(models) != 1 or len(worlds) > 1:
             self.refuse(self.root, f"holds {len(models)} models and {len(worlds)} worlds; wanted "
@@ -82,7 +84,8 @@ class _Sdf(SdfLoops):
         if self.flag(models[0], "static"):
             self.refuse(models[0], "is static: nothing moves; wanted <static>false</static>")
         for world in worlds:
-            of = next((x for x in (world, *world.all("physics")) if x.all("gravity")), world)
+            of = next((x for x in (world, *world.all("physics")) if "gravity" in x.attributes),
+                      world)
             self.numbers(of, "gravity", 3, "0 0 -9.8")
             g = self.text(of, "gravity", "0 0 -9.8").split()
             return models[0], {"g": [Decimals(x) for x in g]}
@@ -98,19 +101,18 @@ class _Sdf(SdfLoops):
         if decay and any(self.number(decay, tag, "0") for tag in ("linear", "angular")):
             self.refuse(decay, "<velocity_decay> is not supported; wanted 0, and [effects.drag]")
         inertial = self.only(link, "inertial")
-        inside = [x.tag for x in inertial.children] if inertial else []
-        for tag in ["mass", "inertia"] if inertial else ["inertial"]:
-            if tag in inside:
+        for tag in ("mass", "inertia") if inertial else ("inertial",):
+            if inertial and (tag in inertial.attributes or tag == "inertia" and inertial.all(tag)):
                 continue
             if not self.lenient:
                 self.refuse(link, f"lacks <{tag}>, for which SDF takes {_DEFAULTS[tag]}; wanted "
                                   f'it, or implausible = "{WARN}"')
             self.lacking.append(f"body {full!r}: lacks <{tag}>; SDF takes {_DEFAULTS[tag]}")
         return Body(full, self._inertia(inertial, full) if inertial else
-                    Inertia(_ONE[0], _NONE, _ONE + _NONE), visuals(self, link, self.source))
+                    Inertia(_ONE[0], _NONE, _ONE + _NONE), self.shapes.visuals(link))
 
     def _inertia(self, inertial: Element, full: str) -> Inertia | None:
-        if self.as_flag(inertial, "auto", inertial.attributes.get("auto", "false")):
+        if self.flag(inertial, "auto"):
             self.refuse(inertial, "its inertia follows from shapes (auto); wanted numbers")
         pose, matrix = self.only(inertial, "pose"), self.only(inertial, "inertia")
         if pose and pose.attributes.get("relative_to"):
@@ -126,12 +128,12 @@ class _Sdf(SdfLoops):
             return None
         at = self.pose(inertial)
         moments = _ONE + _NONE if matrix is None else tuple(
-            self.number(matrix, tag, "0" if tag in _MOMENTS[3:] else None) for tag in _MOMENTS)
+            self.number(matrix, tag, "0" if tag in MOMENTS[3:] else None) for tag in MOMENTS)
         return Inertia(mass, at.t, rotations.rotated(at.R, moments))
 
 
 READER = ModelReader(
     "SDF", (".sdf", ".world"), "one model of Gazebo, alone or in a world, with models in it: "
-    "links, frames, joints with damping, friction, springs, limits and mimics, closed loops, the "
-    "world's gravity; a root that no joint moves floats", lambda source: _Sdf(source).parts(),
-    takes_packages=True, leaves_out=("loops",))
+    "links, frames, joints with damping, friction, springs, limits and mimics, gearboxes, closed "
+    "loops, the world's gravity; a root that no joint moves floats",
+    lambda source: _Sdf(source).parts(), takes_packages=True, leaves_out=("loops", GROUP))

@@ -27,21 +27,26 @@ from coscrew_codegen.scene.mechanism.model import (
     Placement,
 )
 from coscrew_codegen.scene.mechanism.notices import Notice
-from coscrew_codegen.scene.mechanism.tree import composed
+from coscrew_codegen.scene.mechanism.tree import composed, inverse
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.readers.scene_error import shown
-from coscrew_codegen.scene.readers.sdf.sdf_frames import MODEL, SdfFrames, inverse, turned
+from coscrew_codegen.scene.readers.sdf.sdf_frames import MODEL, SdfFrames
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
-from coscrew_codegen.scene.readers.urdf.xml import Element
+from coscrew_codegen.scene.readers.xml_files.xml import Element
 
 TYPES = {"revolute": (REVOLUTE, 1), "continuous": (REVOLUTE, 1),
          "prismatic": (PRISMATIC, 1), "universal": (REVOLUTE, 2),
          "revolute2": (REVOLUTE, 2), "ball": (SPHERICAL, 0), "fixed": (FIXED, 0)}
 """The kind and the number of axes of each type."""
+TURNING = ("revolute", "continuous")
+GEARBOX = "gearbox"  # connects no links: a joint follows another
 
 _RIGHT = Fraction(1, 10**30)  # cosine of two axes below which they are perpendicular
 _UNLIMITED = Fraction(10)**16  # numbers from here on stand for none
-_AXES = ("axis", "axis2")
+AXES = ("axis", "axis2")
+_OWN = 5
+"""The version from which axes are given in the joint's frame: before, in the model's."""
+_UNUSED = ("initial_position", "stiffness", "dissipation")
 
 
 class SdfJoints(SdfFrames):
@@ -50,42 +55,43 @@ class SdfJoints(SdfFrames):
     def __init__(self, path: Path) -> None:
         super().__init__(path)
         self.springs: dict[str, dict[str, object]] = {}
-        self.leaders = frozenset(_leaders(self.root))  # as they are named
+        self.leaders = {x.attributes.get("joint", "").rpartition("::")[2]
+                        for x in self.root.every("mimic")}
 
     def joint(self, joint: Element, full: str, scope: str) -> Iterator[Joint | Body]:
         """The joint, or the chain of joints, and the links without mass in it."""
         word = joint.attributes.get("type", "")
         if word not in TYPES:
-            self.refuse(joint, f"type {shown(word)}; wanted one of {', '.join(TYPES)}"
-                               f"{or_mean(word, TYPES)}")
+            self.refuse(joint, f"type {shown(word)}; wanted one of "
+                               f"{', '.join((*TYPES, GEARBOX))}{or_mean(word, TYPES)}")
         kind, count = TYPES[word]
         parent, child = self.ends(joint, scope)
-        for tag in _AXES[count:] if kind is not FIXED else ():
+        for tag in AXES[count:] if kind is not FIXED else ():
             if axis := self.only(joint, tag):
                 self._beyond(axis, full, kind)
-        self.notices += self.unused(joint, f"joint {full}")
+        self.notices += self._unused(joint, f"joint {full}")
         if kind is FIXED:
             yield Joint(full, kind, parent, child, self.within(parent, child))
             return
         at = self.within(parent, full)
         last = Joint(full, kind, parent, child, at)
         if count == 2:
-            first = self._moving(joint, _AXES[0], replace(last, child=f"{full}/between"), scope)
+            first = self._moving(joint, AXES[0], replace(last, child=f"{full}/between"), scope)
             second = Joint(f"{full}/2", kind, first.child, child)
-            last = self._moving(joint, _AXES[1], second, scope)
+            last = self._moving(joint, AXES[1], second, scope)
             if word == UNIVERSAL.name and self._without_numbers(first, last):
                 last = Joint(full, UNIVERSAL, parent, child, at, first.axis, axis2=last.axis)
             else:
                 yield from (Body(first.child), first)
         elif count == 1:
-            last = self._moving(joint, _AXES[0], last, scope)
+            last = self._moving(joint, AXES[0], last, scope)
         yield from self._with_child(last, full, child)
 
     def _with_child(self, joint: Joint, full: str, child: str) -> Iterator[Joint | Body]:
         """The joint that moves the file's link, or a link at the joint's frame that carries it."""
         back = self.within(full, child)
         if _same_motion(joint, back):
-            own = [turned(inverse(back), axis) for axis in joint.axes] or [joint.axis]
+            own = [rotations.turned(inverse(back).R, axis) for axis in joint.axes] or [joint.axis]
             yield replace(joint, placement=composed(joint.placement, back), axis=own[0],
                           axis2=own[1] if len(own) > 1 else None)
             return
@@ -98,8 +104,7 @@ class SdfJoints(SdfFrames):
         without numbers of one of them, and no joint follows one."""
         bare = all(replace(x, axis=Joint.axis) == Joint(x.name, x.kind, x.parent, x.child,
                                                         x.placement) for x in (first, second))
-        name = first.name.rpartition("::")[2]
-        led = any(x == name or x.endswith(f"::{name}") for x in self.leaders)
+        led = first.name.rpartition("::")[2] in self.leaders
         cosine = sum((x * y for x, y in zip(first.axis, second.axis, strict=True)), Fraction(0))
         return bare and not led and abs(cosine) < _RIGHT and not (
             {first.name, second.name} & {*self.springs})
@@ -113,6 +118,14 @@ class SdfJoints(SdfFrames):
         self.notices.append(Notice("other tools' numbers", of, f"{of}: <{axis.tag}> in line "
                                    f"{axis.line}, of a ball joint, is not used"))
 
+    def _unused(self, joint: Element, of: str) -> Iterator[Notice]:
+        """Notices of the numbers of a joint's axes that nothing uses."""
+        for axis in (y for tag in AXES for y in joint.all(tag)):
+            for x in (z for y in (axis, *axis.all("limit")) for z in y.children
+                      if z.tag in _UNUSED and self.number(y, z.tag)):
+                yield Notice("other tools' numbers", of, f"{of}: <{x.tag}> in line {x.line} is "
+                             "used by no effect")
+
     def ends(self, joint: Element, scope: str) -> tuple[str, str]:
         """The links that the joint connects."""
         near, far = self.text(joint, "parent"), self.text(joint, "child")
@@ -122,9 +135,7 @@ class SdfJoints(SdfFrames):
 
     def _moving(self, owner: Element, tag: str, joint: Joint, scope: str) -> Joint:
         """The joint with the numbers of its axis."""
-        axis = self.only(owner, tag) if tag else None
-        if axis is None:
-            return joint if not tag else self.refuse(owner, f"lacks <{tag}>")
+        axis = self._axis(owner, tag)
         lower, upper, effort, velocity = self._limits(axis, owner.attributes["type"])
         dynamics = self.only(axis, "dynamics")
         damping, friction = (self.number(dynamics, x, "0", True) if dynamics else None
@@ -133,29 +144,28 @@ class SdfJoints(SdfFrames):
             self.springs[joint.name] = {
                 "k": Decimals(self.text(dynamics, "spring_stiffness")),
                 "q0": Decimals(self.text(dynamics, "spring_reference", "0"))}
-        return replace(joint, axis=self._direction(owner, axis, scope), lower=lower, upper=upper,
+            self.number(dynamics, "spring_reference", "0")
+        return replace(joint, axis=self.direction(owner, tag, scope), lower=lower, upper=upper,
                        effort=effort, velocity=velocity, damping=damping, friction=friction,
                        mimic=self._mimic(axis, scope))
 
-    def direction(self, joint: Element, scope: str) -> tuple[Fraction, ...]:
-        """The axis of a joint with one, in the joint's frame, of norm 1."""
-        axis = self.only(joint, _AXES[0])
-        return self.refuse(joint, f"lacks <{_AXES[0]}>") if axis is None else self._direction(
-            joint, axis, scope)
-
-    def _direction(self, joint: Element, axis: Element, scope: str) -> tuple[Fraction, ...]:
-        """The axis in the joint's frame, of norm 1."""
-        xyz = self.only(axis, "xyz")
+    def direction(self, joint: Element, tag: str, scope: str) -> tuple[Fraction, ...]:
+        """The axis of this tag in the joint's frame, of norm 1."""
+        axis = self._axis(joint, tag)
         given = self.numbers(axis, "xyz", 3, "0 0 1")
         if not any(given):
             self.refuse(axis, "the axis is zero; wanted a direction")
+        xyz = self.only(axis, "xyz")
         of = xyz.attributes.get("expressed_in", "") if xyz else ""
-        if not of and self.flag(axis, "use_parent_model_frame", str(self.version < 5).lower()):
+        if not of and self.flag(axis, "use_parent_model_frame", str(self.version < _OWN).lower()):
             of = MODEL
         if of:
             own = self.resolved(joint, scope, self.name(joint))
-            given = turned(self.within(own, self.resolved(axis, scope, of)), given)
+            given = rotations.turned(self.within(own, self.resolved(axis, scope, of)).R, given)
         return rotations.unit(given)
+
+    def _axis(self, joint: Element, tag: str) -> Element:
+        return self.only(joint, tag) or self.refuse(joint, f"lacks <{tag}>")
 
     def _limits(self, axis: Element, word: str) -> Limits:
         limit = self.only(axis, "limit")
@@ -175,7 +185,7 @@ class SdfJoints(SdfFrames):
         text = self.text(limit, tag, "inf")
         if text.lstrip("+-").lower() in ("inf", "infinity"):
             return None
-        number, = self.as_numbers(limit, tag, text, 1)
+        number = self.number(limit, tag)
         return None if abs(number) >= _UNLIMITED else number
 
     def _mimic(self, axis: Element, scope: str) -> Mimic | None:
@@ -184,21 +194,13 @@ class SdfJoints(SdfFrames):
         if mimic is None:
             return None
         leader = self.resolved(mimic, scope, mimic.attributes.get("joint", ""))
-        of = mimic.attributes.get("axis", _AXES[0])
-        if of not in _AXES:
-            self.refuse(mimic, f"axis {shown(of)}; wanted one of {', '.join(_AXES)}")
+        of = mimic.attributes.get("axis", AXES[0])
+        if of not in AXES:
+            self.refuse(mimic, f"axis {shown(of)}; wanted one of {', '.join(AXES)}")
         multiplier, offset, reference = (self.number(mimic, x, "0") for x in (
             "multiplier", "offset", "reference"))
-        return Mimic(leader if of == _AXES[0] else f"{leader}/2", multiplier,
+        return Mimic(leader if of == AXES[0] else f"{leader}/2", multiplier,
                      offset - multiplier * reference)
-
-
-def _leaders(element: Element) -> Iterator[str]:
-    """The joints that others below this element follow."""
-    for child in element.children:
-        if child.tag == "mimic":
-            yield child.attributes.get("joint", "")
-        yield from _leaders(child)
 
 
 def _same_motion(joint: Joint, child: Placement) -> bool:

@@ -10,11 +10,10 @@ from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import Body, Inertia
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
-from coscrew_codegen.scene.readers.urdf.urdf_collisions import collisions
 from coscrew_codegen.scene.readers.urdf.urdf_joints import Joints
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MIRRORED, MOMENTS
-from coscrew_codegen.scene.readers.urdf.urdf_visuals import colours_of, visuals
-from coscrew_codegen.scene.readers.urdf.xml import Element
+from coscrew_codegen.scene.readers.urdf.urdf_shapes import shapes_of
+from coscrew_codegen.scene.readers.xml_files.xml import Element
 
 
 class _Urdf(Joints):
@@ -25,9 +24,8 @@ class _Urdf(Joints):
 
     def __init__(self, source: ModelSource, contents: bytes | None) -> None:
         super().__init__(source.path, contents)
-        self.source = source
         self.lenient = source.lenient
-        self.colours = colours_of(self.root)
+        self.shapes = shapes_of(self.root, source)
         self.lacking: list[str] = []  # incomplete inertias that were accepted
 
     def parts(self) -> Parts:
@@ -41,7 +39,9 @@ class _Urdf(Joints):
                      {joint.attributes["name"]: f"line {mimic.line}" for joint in joints
                       for mimic in joint.all("mimic")[:1]},
                      implausible=tuple(self.lacking), notices=tuple(self.notices),
-                     collisions=tuple(x for link in links for x in collisions(link, self.source)))
+                     collisions=tuple(
+                         x for link in links for x in self.shapes.collisions(
+                             link, link.attributes.get("name", ""))))
 
     def _body(self, link: Element) -> Body:
         name = self._name(link)
@@ -49,7 +49,7 @@ class _Urdf(Joints):
         self._check(link, element)
         inertial = self._only(link, "inertial", element)
         return Body(name, self._inertia(inertial, element) if inertial else None,
-                    visuals(link, self.colours, self.source))
+                    self.shapes.visuals(link))
 
     def _inertia(self, inertial: Element, body: str) -> Inertia | None:
         """The inertia; None if mass and moments are zero, as in links that are only frames."""
@@ -94,5 +94,5 @@ def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:
 
 READER = ModelReader(
     "URDF", (".urdf",), "a robot of ROS: its links and joints, with inertias, limits, dynamics and "
-    "mimics, and visual shapes for pictures, and collision shapes, which change no motion yet",
+    "mimics, visual shapes for pictures, and collision shapes for [effects.contact]",
     urdf_parts, takes_packages=True)

@@ -9,7 +9,7 @@ from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.model import HERE, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.names import toml_key
-from coscrew_codegen.scene.readers.decimals import decimal
+from coscrew_codegen.scene.readers.decimals import decimal, numbers_in
 from coscrew_codegen.scene.readers.foreign import of_root, srdf, xacro
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.urdf.urdf_schema import (
@@ -28,7 +28,7 @@ from coscrew_codegen.scene.readers.urdf.urdf_schema import (
     of_other_tools,
     wanted_instead,
 )
-from coscrew_codegen.scene.readers.urdf.xml import Element, Text, read_xml
+from coscrew_codegen.scene.readers.xml_files.xml import Element, Text, read_xml
 
 _T = TypeVar("_T")
 
@@ -106,7 +106,7 @@ class Elements:
         if "rpy" in origin.attributes:
             self._refuse(origin, element, f"'rpy' and {QUATERNION!r} of <origin>; wanted one of "
                                           "both")
-        quaternion = self._read(origin, QUATERNION, element, lambda text: _numbers(text, 4))
+        quaternion = self._read(origin, QUATERNION, element, lambda text: numbers_in(text, 4))
         if not any(quaternion):
             self._refuse(origin, element, f"{QUATERNION!r} of <origin> is zero; wanted x, y, z, w "
                                           "of a unit quaternion")
@@ -136,7 +136,7 @@ class Elements:
                 default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, ...]:
         if attribute not in owner.attributes and default is not None:
             return default
-        return self._read(owner, attribute, element, lambda text: _numbers(text, 3))
+        return self._read(owner, attribute, element, lambda text: numbers_in(text, 3))
 
     def _read(self, owner: Element, attribute: str, element: str,
               reader: Callable[[str], _T]) -> _T:
@@ -181,13 +181,6 @@ def plain(element: str) -> str:
     """joint elbow, for joint 'elbow'."""
     what, _, name = element.partition(" ")
     return f"{what} {name[1:-1]}" if name else what
-
-
-def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
-    words = text.split()
-    if len(words) != count:
-        raise ValueError(f"{shown(text)}; wanted {'three' if count == 3 else 'four'} numbers")
-    return tuple(decimal(word) for word in words)
 
 
 def _alike(a: Element, b: Element) -> bool:

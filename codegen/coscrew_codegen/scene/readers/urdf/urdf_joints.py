@@ -19,7 +19,7 @@ from coscrew_codegen.scene.readers.urdf.urdf_schema import (
     VERSIONS,
     is_zero,
 )
-from coscrew_codegen.scene.readers.urdf.xml import Element
+from coscrew_codegen.scene.readers.xml_files.xml import Element
 
 TYPES = {word: kind for kind in KINDS if kind.urdf for word in (kind.urdf, *kind.unlimited)}
 _NOT_SUPPORTED = {kind.name: kind.without_urdf for kind in KINDS if not kind.urdf}

@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.scene_error import shown
-from coscrew_codegen.scene.readers.urdf.xml import Element
+from coscrew_codegen.scene.readers.xml_files.xml import Element
 
 VERSIONS = ("1.0", "1.1", "1.2")
 QUATERNION = "quat_xyzw"

@@ -1,38 +1,27 @@
-"""Shapes of visuals and collisions of a URDF: geometry, place, sizes, file of a mesh."""
+"""Places and colours of the shapes of a URDF."""
 
-from fractions import Fraction
-from pathlib import Path
+from collections.abc import Mapping
 
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.model import HERE, Placement
-from coscrew_codegen.scene.mechanism.visual import MESH
-from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.model_reader import ModelSource
-from coscrew_codegen.scene.readers.packages import file_of
-from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.urdf.urdf_schema import QUATERNION
-from coscrew_codegen.scene.readers.urdf.xml import Element
-
-_SIZES = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"),
-          "capsule": ("radius", "length")}
-"""The attributes with the sizes of each shape."""
-_ONE = (Fraction(1),) * 3
+from coscrew_codegen.scene.readers.xml_files.xml import Element
+from coscrew_codegen.scene.readers.xml_files.xml_shapes import SIZES, Shapes, colour, numbers
 
 
-def shape_of(owner: Element) -> Element:
-    """The one shape of a visual or collision.  Raises ValueError, as all functions here do."""
-    shapes = [x for geometry in owner.all("geometry") for x in geometry.children]
-    if len(shapes) != 1:
-        raise ValueError(f"<{owner.tag}> has {len(shapes)} shapes; wanted one")
-    shape, = shapes
-    if shape.tag not in (*_SIZES, MESH):
-        raise ValueError(f"<{shape.tag[:60]}> is no shape; wanted one of "
-                         f"{', '.join((*_SIZES, MESH))}")
-    return shape
+def shapes_of(root: Element, source: ModelSource) -> Shapes:
+    """Reads the shapes of a robot.  A material has its colour where it is defined: in the robot, or
+    in a visual."""
+    materials = [*root.all("material"), *(x for link in root.all("link")
+                                          for visual in link.all("visual")
+                                          for x in visual.all("material"))]
+    named = {x.attributes.get("name", ""): _colour(x) for x in reversed(materials) if _colour(x)}
+    return Shapes(source, SIZES, "filename", _place, lambda visual: _colour_of(visual, named))
 
 
-def place_of(owner: Element) -> Placement:
-    """The place of a visual or collision in its link."""
+def _place(owner: Element) -> Placement:
+    """The place of a visual or collision in its link.  Raises ValueError."""
     origin = next(iter(owner.all("origin")), None)
     if origin is None:
         return HERE
@@ -42,37 +31,12 @@ def place_of(owner: Element) -> Placement:
     return Placement(R, numbers(origin, "xyz", 3, HERE.t))
 
 
-def sizes(shape: Element) -> tuple[Fraction, ...]:
-    """The sizes of a shape; () of a mesh."""
-    return tuple(x for key in _SIZES.get(shape.tag, ())
-                 for x in numbers(shape, key, 3 if shape.tag == "box" else 1))
+def _colour_of(visual: Element, named: Mapping[str, tuple[float, ...]]) -> tuple[float, ...]:
+    material = next(iter(visual.all("material")), None)
+    return () if material is None else (
+        _colour(material) or named.get(material.attributes.get("name", ""), ()))
 
 
-def mesh_of(shape: Element, source: ModelSource) -> Path:
-    """The file of a mesh."""
-    uri = shape.attributes.get("filename", "")
-    file = file_of(uri, source) if uri else None
-    if file is None:
-        raise ValueError(f"no file {shown(uri)}")
-    return file
-
-
-def scale_of(shape: Element) -> tuple[Fraction, ...]:
-    """The scale of a mesh along its axes."""
-    return numbers(shape, "scale", 3, _ONE)
-
-
-def numbers(owner: Element, name: str, count: int, default: tuple[Fraction, ...] = ()
-            ) -> tuple[Fraction, ...]:
-    """The numbers of an attribute."""
-    text = owner.attributes.get(name, "")
-    if not text.strip() and default:
-        return default
-    try:
-        given = tuple(map(decimal, text.split()))
-    except ValueError:
-        given = ()
-    if len(given) != count:
-        raise ValueError(f"{name!r} of <{owner.tag}> is {shown(text)}; wanted {count} "
-                         f"number{'s' * (count > 1)}")
-    return given
+def _colour(material: Element) -> tuple[float, ...]:
+    """The colour that a material gives; () if it gives none."""
+    return next((colour(x, "rgba") for x in material.all("color")), ())

@@ -19,7 +19,7 @@ from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource,
 from coscrew_codegen.scene.readers.packages import folders_of
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.urdf.urdf import urdf_parts
-from coscrew_codegen.scene.readers.urdf.xml import SIZE
+from coscrew_codegen.scene.readers.xml_files.xml import SIZE
 
 _ONE_AT_A_TIME = Lock()  # xacro keeps the state of a run in its modules
 

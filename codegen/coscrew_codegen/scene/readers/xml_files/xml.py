@@ -5,7 +5,7 @@ other files live, is refused; so are deep nesting and huge files.
 """
 
 import io
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.sax import SAXException, SAXParseException
@@ -18,7 +18,7 @@ from defusedxml.sax import make_parser
 from coscrew_codegen.scene.readers.contents import read_bytes
 from coscrew_codegen.scene.readers.foreign import of_root
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
-from coscrew_codegen.scene.readers.urdf.xml_text import problem_at, text_of
+from coscrew_codegen.scene.readers.xml_files.xml_text import problem_at, text_of
 
 DEPTH = 100  # elements in each other
 SIZE = 64 * 2**20  # bytes
@@ -37,6 +37,12 @@ class Element:
     def all(self, tag: str) -> tuple["Element", ...]:
         """The children with this tag."""
         return tuple(child for child in self.children if child.tag == tag)
+
+    def every(self, tag: str) -> Iterator["Element"]:
+        """The elements with this tag below it, at any depth."""
+        for child in self.children:
+            yield from (child,) if child.tag == tag else ()
+            yield from child.every(tag)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,1 @@
+"""Files of XML: elements with their lines, and the shapes of links in them."""
