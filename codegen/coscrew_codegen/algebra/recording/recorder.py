@@ -62,6 +62,7 @@ class Recorder:
         self._instructions: list[Instruction] = []
         self._by_name: dict[str, Instruction] = {}
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
+        self._folds = True
         self._part = NamePart("total")  # sums over several links or effects
         self._parts: dict[str, NamePart] = {}  # by the instruction's name
         self._labels: dict[str, NamePart] = {}  # of values, by the name of their instruction
@@ -119,6 +120,16 @@ class Recorder:
         finally:
             self._part = before
 
+    @contextmanager
+    def unfolded(self) -> Iterator[None]:
+        """Issues instructions on variables as they stand in this block: the same ones whatever
+        their signs, zeros and ones."""
+        before, self._folds = self._folds, False
+        try:
+            yield
+        finally:
+            self._folds = before
+
     def label(self, symbol: str, value: Number | Numbers,
               owner: str = "") -> tuple[Number, ...]:
         """Name the components of a value by owner (by default the current part's) and symbol.
@@ -172,14 +183,15 @@ class Recorder:
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
         """The operand that holds op(operands): folded, issued earlier, or issued now."""
-        result = folded(op, operands, self._by_name)
-        if isinstance(result, KnownSign):
-            return self.issue(Op.NEG, (self.issue(*result.of),))
-        if not isinstance(result, Folded):
-            return result
-        op, operands = result.op, result.operands
-        if op.meaning.commutes:
-            operands = tuple(sorted(operands, key=_order))
+        if self._folds or all(isinstance(x, Constant) for x in operands):
+            result = folded(op, operands, self._by_name)
+            if isinstance(result, KnownSign):
+                return self.issue(Op.NEG, (self.issue(*result.of),))
+            if not isinstance(result, Folded):
+                return result
+            op, operands = result.op, result.operands
+            if op.meaning.commutes:
+                operands = tuple(sorted(operands, key=_order))
         key = (op, operands)
         if key not in self._issued:
             self._issued[key] = self._new(op, operands)

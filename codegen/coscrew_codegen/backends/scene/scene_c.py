@@ -18,7 +18,7 @@ from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
-from coscrew_codegen.backends.scene import scene_c_runtime, scene_text
+from coscrew_codegen.backends.scene import scene_c_columns, scene_c_runtime, scene_text
 from coscrew_codegen.backends.scene.scene_c_parts import FunctionParts
 from coscrew_codegen.backends.scene.scene_c_steps import step_body
 from coscrew_codegen.backends.scene.scene_text import c_name
@@ -85,7 +85,8 @@ class Source:
             x.body for x in functions if x.internal or x.name in planned])
         return render("scene/scene.c", banner=banner, name=self.name, upper=self.scene.upper(),
                       precision=self.precision, names=[comment_of(names)] if names else [],
-                      parts=self.parts, sections=self.sections,
+                      parts=self.parts, columns=any(scene_c_columns.ABOVE in x for x in bodies),
+                      sections=self.sections,
                       **included(bodies, self.refused))
 
 

@@ -39,7 +39,8 @@ class TierSection:
     @cached_property
     def parts(self) -> FunctionParts:
         """The functions that are cut."""
-        return FunctionParts(self.scene, self.plans)
+        return FunctionParts(self.scene, self.plans,
+                             loops=not (self.precision.lanes or self.precision.device))
 
     @cached_property
     def functions(self) -> list[CFunction]:
