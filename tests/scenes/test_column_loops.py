@@ -13,9 +13,9 @@ from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_parts
 from coscrew_codegen.backends.scene.scene_c_columns import column_loops
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program.columns import FEWEST, SHORTEST, columns, has_columns, marked
-from coscrew_codegen.program.parts import cut
 from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.splitting.columns import FEWEST, SHORTEST, columns, has_columns, marked
+from coscrew_codegen.program.splitting.parts import cut
 from coscrew_codegen.program.values.formats import DOUBLE
 from tests.support.compiled.c_harness import C11, STRICT, run
 from tests.support.each import each_compiler, each_precision

@@ -13,8 +13,8 @@ from coscrew_codegen.backends.c.c_stores import in_lines
 from coscrew_codegen.backends.nesting import NestingPlan, planned
 from coscrew_codegen.backends.scene.scene_text import VALUE_WIDTH, access
 from coscrew_codegen.program import Constant, Input, Operand, Program, Ref
-from coscrew_codegen.program.columns import AlikeColumns, columns
-from coscrew_codegen.program.parts import Group
+from coscrew_codegen.program.splitting.columns import AlikeColumns, columns
+from coscrew_codegen.program.splitting.parts import Group
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 
 ABOVE = "COSCREW_COLUMNS"

@@ -30,9 +30,9 @@ from coscrew_codegen.backends.scene.scene_text import (
     size,
 )
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program.columns import has_columns
-from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.splitting.columns import has_columns
+from coscrew_codegen.program.splitting.parts import Cut, Group, cut
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.quantity import Argument
 

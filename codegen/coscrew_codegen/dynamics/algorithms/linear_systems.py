@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.algebra.recording.numbers import Number, negative
-from coscrew_codegen.program.columns import FEWEST, marked
+from coscrew_codegen.program.splitting.columns import FEWEST, marked
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,6 @@ from fractions import Fraction
 from itertools import groupby
 from typing import NamedTuple
 
-from coscrew_codegen.program.columns import FEWEST, form, is_marked
 from coscrew_codegen.program.ops import COMPARISONS, Op
 from coscrew_codegen.program.program import (
     Constant,
@@ -31,6 +30,7 @@ from coscrew_codegen.program.program import (
     Program,
     Ref,
 )
+from coscrew_codegen.program.splitting.columns import FEWEST, form, is_marked
 from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.quantity import Argument, Quantity
 
