@@ -74,7 +74,10 @@ def index_of(x: Any, count: Any) -> int:
     """The integer part of a number of any kind, within 0 … count - 1; 0 for NaN."""
     if not x > 0:
         return 0
-    return int(x) if x < count else int(count) - 1
+    if x >= count:
+        return int(count) - 1
+    near = int(x)  # that of an mpfr is the nearest
+    return near - (near > x)
 
 
 def tables_of(programs: "Iterable[Program]") -> tuple[ConstantTable, ...]:
