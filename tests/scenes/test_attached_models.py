@@ -126,12 +126,13 @@ def test_effects_of_the_attached_file_are_named_by_the_prefix(scene, tmp_path):
     assert not any(name == "gravity" for name, _ in of)  # it is the scene's
     effects = '[effects.gravity]\n[effects.viscous]\njoints = "all"\nd = "model"\n'
     for x in notices:
-        if x.used_by[0] not in ("", "limit"):  # a limit is no effect in MuJoCo's inverse dynamics
+        if x.used_by[0] not in ("", "limit", "contact"):  # no part of MuJoCo's inverse dynamics
             head, _, values = x.remedy.removeprefix("add ").partition(" with ")
             pairs = re.split(r"(?:, | and )(?=\w+ = )(?![^{]*})", values)
             effects += "\n".join([head, *pairs, ""])
     whole = scene(table + effects)
-    assert {x.used_by for x in whole.notices if x.used_by[0]} == {("limit", "s_pull")}
+    assert {x.used_by for x in whole.notices if x.used_by[0]} == {
+        ("limit", "s_pull"), ("contact", "")}
     arm = ("<mujoco><compiler angle='radian'/><worldbody><body>"
            "<joint name='shoulder' axis='0 1 0'/>"
            "<inertial pos='0.01 0 0.1' mass='2' fullinertia='0.02 0.021 0.003 1e-3 0 -2e-3'/>"
