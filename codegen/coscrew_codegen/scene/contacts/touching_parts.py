@@ -17,7 +17,7 @@ model's file."""
 SHAPES = ("sphere", "capsule", "box", "cylinder")
 """Shapes of a model's file that can touch the ground."""
 BALLS = ("sphere", "capsule")
-"""Those that can touch other bodies, too."""
+"""Shapes that can touch other bodies as well as the ground."""
 _SIGNS = (-1, 1)
 _Z = (Fraction(0), Fraction(0), Fraction(1))
 _Offsets = list[tuple[Fraction, ...]]
