@@ -1,14 +1,18 @@
-"""Certificates: the bounds of every value of a function over its stated ranges, a line each, as a
-checker of our own rules, which needs only fractions, reads them."""
+"""Certificates: the bounds of every value of a function over its stated ranges, a line each, as
+checkers of our own rules, which need only fractions, read them."""
 
 from collections.abc import Iterator
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
 from coscrew_codegen.accuracy.range_proofs import values
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, ValueBounds
-from coscrew_codegen.program import Constant, Input, Operand, Program, Ref
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
+from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
+from coscrew_codegen.program.fixed import fixed_sine
+from coscrew_codegen.program.fixed.fixed_program import FixedProgram
+from coscrew_codegen.program.fixed.fixed_value import FixedValue
+from coscrew_codegen.program.roundoff import RoundedRange
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import Precision
 
@@ -41,9 +45,55 @@ def _lines(function: FunctionProgram, precision: Precision, its: ValueBounds, pr
         if Ref(step.name) in needed:
             yield " ".join([step.op.value, step.name, *(_name(x, program) for x in step.operands),
                             *_figures(its.by_name[step.name])])
-    places = [f"{a.name}[{k}]" for a in program.outputs for k in range(a.quantity.size)]
+    places = _places(program)
     for k in proved:
         yield f"# {places[k]} is {_name(program.results[k], program)}"
+
+
+def of_fixed(function: FunctionProgram, fixed: FixedProgram) -> str:
+    """The certificate of the function in fixed point."""
+    return "\n".join(_fixed_lines(function, fixed)) + "\n"
+
+
+def _fixed_lines(function: FunctionProgram, fixed: FixedProgram) -> Iterator[str]:
+    program = fixed.program
+    yield f"# {function.name} in fixed point: for every value a line with its operation, name,"
+    yield "# operands, bits, largest size, largest error, largest error of its rounding.  A number"
+    yield "# x is the integer x 2^bits; @ states the bits of constants, and of operands that are an"
+    yield "# integer with other bits, thus a multiple.  First: error of sine and cosine, and the"
+    yield "# error more for each quarter turn of the angle."
+    yield " ".join(map(str, fixed_sine.errors()))
+    bits = {_name(x.operand, program): x.bits for each in fixed.inputs for x in each}
+    bits |= {line.name: line.value.bits for line in fixed.lines}
+
+    def word(x: FixedValue) -> str:
+        name = _name(x.operand, program) if not isinstance(x.operand, Constant) else x.stands_for
+        return name if bits.get(name) == x.bits else f"{name}@{x.bits}"
+
+    known = {line.name: line for line in fixed.lines}
+    needed = {word(x).partition("@")[0] for x in fixed.results}
+    for name in reversed(known):
+        if name in needed:
+            needed.update(word(x).partition("@")[0] for x in known[name].operands)
+    for x in (x for each in fixed.inputs for x in each):
+        if (name := _name(x.operand, program)) in needed:
+            yield " ".join(["input", name, str(x.bits), *_figures(x.bounds)])
+    for name, line in known.items():
+        if name in needed:
+            yield " ".join([_WORDS.get(line.op, line.op.value), name, *map(word, line.operands),
+                            str(line.value.bits), *_figures(line.value.bounds)])
+    for place, result in zip(_places(program), fixed.results, strict=True):
+        yield f"# {place} is {word(result)}"
+
+
+_WORDS = {Op.WIDE_PRODUCT: "mul", Op.HIGH_PRODUCT: "high", Op.ROUNDED_SHIFT: "shift",
+          Op.MUL: "shift"}
+"""Words for operations on integers; factors of integers are shifts to the left."""
+
+
+def _places(program: Program) -> list[str]:
+    """The names of the components of the results."""
+    return [f"{a.name}[{k}]" for a in program.outputs for k in range(a.quantity.size)]
 
 
 def _needed(program: Program, results: list[Operand]) -> set[Operand]:

@@ -299,10 +299,10 @@ class RecordedDynamics:
         its = closures(self._still, self.scene.model.loops)
         return [[y for x in its for y in x.phi], _by_rows([y for x in its for y in x.rows])]
 
-    def closing_wrench(self, loop: str) -> Numbers:
-        """(force; moment) on a loop's first body, in its frame, at the loop's point."""
-        rows, constrained = self._constrained()
-        return demands.wrench(rows, constrained.multipliers, loop)
+    def closings(self, *loops: str) -> Results:
+        """The accelerations; (force; moment) on the first body of each of these loops."""
+        rows, its = self._constrained()
+        return [its.a, [y for x in loops for y in demands.wrench(rows, its.multipliers, x)]]
 
     def with_closed_loops(self) -> Results:
         """q and v moved onto the closures."""

@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
+from functools import lru_cache, partial
 
 from coscrew_codegen.program import (
     Constant,
@@ -30,7 +30,9 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
+from coscrew_codegen.program.tables import ConstantTable
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.table_arrays import rounded
 
 Rule = Callable[["Carrier", Instruction], None]
 """Issues hi of a plain instruction under its name; and lo, or the parts of lo that are added where
@@ -216,6 +218,16 @@ def rest_of(x: Constant, precision: Precision = DOUBLE) -> Constant | None:
     rest = precision.value(x) - precision.value(rounded_constant(x, precision))
     value = Fraction(float(precision.rounded(rest)))
     return Constant(value, value, x.name and f"{x.name}_lo") if value else None
+
+
+@lru_cache(8)
+def rest_of_table(x: ConstantTable, precision: Precision) -> ConstantTable:
+    """The table of the rounded rests of a table's numbers beyond their roundings."""
+    def rest(value: Fraction, near: float) -> Fraction:
+        left = value - Fraction(near)
+        return Fraction(float(precision.rounded(left))) if left else left
+
+    return replace(x, values=tuple(map(rest, x.values, rounded(x, precision).tolist())))
 
 
 # rules

@@ -11,7 +11,7 @@ import numpy as np
 from tqdm import tqdm
 
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, SceneTier, in_tier
-from coscrew_codegen.accuracy.tiers import OF_SCENES, PLAIN
+from coscrew_codegen.accuracy.tiers import OF_SCENES, PLAIN, tier_named
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.scene_functions import FunctionProgram
@@ -105,7 +105,8 @@ def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> 
         refuse_other_units(request.needs, name, chosen[0].functions.named(name).units)
     try:
         using = compilation.compiler()
-        tiers = _tiers(chosen[0], names, all_of_them=bool(request.needs))
+        tiers = _tiers(chosen[0], names, all_of_them=bool(request.needs) or any(
+            tier_named(x).fixed for x in scene.tiers))
         built = tuple(_progress((compiled(x, _functions(x), using, tiers if x is chosen[0] else ())
                                  for x in chosen), "compiling", len(chosen)))
     except compilation.CompilationError as error:
@@ -118,14 +119,17 @@ def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> 
     answers = tuple(answer(request.needs, rows, built[0], box) for rows in accuracy
                     if any(x.function == rows[0].function for x in request.needs))
     costs = Costs(scene.name, str(using), (), None, (), accuracy, not request.alone,
-                  answers=answers, load=watch.load, cores=_cores(scene, names))
+                  answers=answers, load=watch.load, cores=_cores(scene, names, using, accuracy))
     return costs if request.alone else _with_runs(costs, kernels, overrides, built, states, request)
 
 
-def _cores(scene: Scene, names: Sequence[str]) -> tuple[CoreCost, ...]:
+def _cores(scene: Scene, names: Sequence[str], using: compilation.Compiler,
+           accuracy: Sequence[Sequence[FunctionErrors]]) -> tuple[CoreCost, ...]:
     """The functions on processors without floating point.  Raises CostError."""
+    times = {(x.function, x.precision if x.tier == PLAIN.name else x.name): x.time
+             for rows in accuracy for x in rows}
     try:
-        return on_cores(scene, names)
+        return on_cores(scene, names, using, times)
     except CountError as error:
         raise CostError(f"cost counts instructions, but {error}") from None
 

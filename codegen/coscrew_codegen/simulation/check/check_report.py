@@ -93,6 +93,8 @@ def _contacts(along: tuple[AlongRun, ...]) -> list[tuple[str, ...]]:
              *(f"{x.depth:.2g}, at t = {x.at:g} s" for x in contacts)),
             ("share of closed contacts in all, and of slipping ones in these",
              *(f"{x.closed:.2g}, {x.slipping:.2g}" for x in contacts)),
+            ("least normal force of contacts, over the largest force",
+             *(f"{x.least:.2g}" for x in contacts)),
             ("bounces that the parts of steps resolve",
              *("all" if math.isnan(x.unresolved) else f"not at t = {x.unresolved:g} s"
                for x in contacts))]
@@ -157,6 +159,10 @@ def _false(along: AlongRun) -> str:
                 f"chaotic, or too stiff for them{until}")
     if along.loops and not along.loops.passed:
         return _open(along.loops)
+    if along.contacts and not along.contacts.passed:
+        return (f"a contact pulls at t = {along.contacts.pulls_at:.4g} s, by "
+                f"{-along.contacts.least:.2g} of the largest force: this is a defect of its law, "
+                "or its numbers overflow")
     return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
             f"half the step nor 1/{THIRD_RUN} of it helps: the power of an effect is not that of "
             "its force, or changes between the samples")

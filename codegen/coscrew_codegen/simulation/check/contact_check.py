@@ -13,6 +13,8 @@ from coscrew_codegen.simulation.system import System
 
 _SLIPS = 1 - 1e-6
 """Share of mu N from which a contact slips."""
+_ROUNDED = 64
+"""Roundoffs of the largest force that a normal force below zero may have."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,14 @@ class ContactsOfRun:
     closed: float  # of a contact and a sample, the share that is closed
     slipping: float  # of those that are closed, the share that slips
     unresolved: float  # the first time of a bounce that no number of parts resolves; NaN: none
+    least: float  # normal force, over the largest force
+    pulls_at: float  # its time, in s
+    allowed: float  # the least that it may be
+
+    @property
+    def passed(self) -> bool:
+        """True if all contacts push."""
+        return self.least >= self.allowed
 
 
 def contacts_of(system: System, trajectory: Trajectory, step: float) -> ContactsOfRun | None:
@@ -32,14 +42,18 @@ def contacts_of(system: System, trajectory: Trajectory, step: float) -> Contacts
         return None
     t, q, v = trajectory.t, trajectory.q, trajectory.v
     with np.errstate(all="ignore"):
-        _, _, depths, shares = (np.asarray(x, float) for x in system.outputs(
+        _, forces, depths, shares, normals = (np.asarray(x, float) for x in system.outputs(
             ALL_CONTACTS, t=t, q=q, v=v))
+    pushes = (forces * normals).sum(-1).min(-1)
+    pulls, largest_force = int(np.argmin(pushes)), float(np.abs(forces).max())
     closed, deepest = depths > 0, depths.max(-1)
     worst = largest(deepest)
     count = max(1, int(np.count_nonzero(closed)))
     slips = int(np.count_nonzero(closed & (shares > _SLIPS))) / count
     return ContactsOfRun(float(deepest[worst]), float(t[worst]), float(closed.mean()), slips,
-                         unresolved(system, trajectory, step))
+                         unresolved(system, trajectory, step),
+                         float(pushes[pulls]) / (largest_force or 1.0), float(t[pulls]),
+                         -_ROUNDED * float(np.finfo(system.dtype).eps))
 
 
 def unresolved(system: System, trajectory: Trajectory, step: float) -> float:

@@ -143,9 +143,10 @@ class AlongRun:
 
     @property
     def passed(self) -> bool:
-        """True if the motion is known and right, energies balance, and loops stay closed."""
+        """True if the motion is known and right, energies balance, loops stay closed, and contacts
+        push."""
         return (self.right and self.resolved and self.balanced
-                and (self.loops is None or self.loops.passed))
+                and all(x is None or x.passed for x in (self.loops, self.contacts)))
 
     @property
     def by_rounding(self) -> bool:

@@ -16,6 +16,7 @@ from coscrew_codegen.program.values.digits import three_digits
 from coscrew_codegen.program.values.formats import BY_NAME, PRECISIONS
 from coscrew_codegen.reports.cost.cost_measurement import Costs
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors, units_with_errors
+from coscrew_codegen.reports.cost.needs.core_costs import CoreCost
 from coscrew_codegen.reports.cost.needs.need import Need
 from coscrew_codegen.reports.cost.recommendations import recommended, undominated
 from coscrew_codegen.reports.cost.run_errors import RunErrors
@@ -35,6 +36,37 @@ def functions(costs: Costs) -> Iterator[plots.Panel]:
                 partial(panel, rows=rows, number=number, needs=costs.needs))
 
 
+def cores(costs: Costs) -> Iterator[plots.Panel]:
+    """A panel for this machine and each core, for each function, if the scene selects fixed point:
+    the proved bound against time or instructions."""
+    for name in dict.fromkeys(x.function for x in costs.cores):
+        rows = [x for x in costs.cores if x.function == name and x.bounds]
+        for where in ("", *rows[0].instructions):
+            yield plots.Panel(
+                f"Bound of {name} against {'instructions on a ' * bool(where)}{where or 'time'}",
+                partial(_bounds, rows=rows, where=where))
+
+
+def _bounds(axes: Axes, rows: Sequence[CoreCost], where: str) -> None:
+    """Draws a mark for each number format, labelled with the bound in the first unit."""
+    unit = next(iter(rows[0].bounds))
+    axes.set(title=f"{rows[0].function}, {where or 'this machine'}",
+             xlabel="instructions per call" if where else "ns per call in C",
+             ylabel="proved bound" if unit == "1" else f"proved bound, {written(unit)}")
+    marks = []
+    for x in rows:
+        low, middle, high = (x.instructions[where],) * 3 if where else (
+            (x.time.low, x.time.median, x.time.high) if x.time else (math.nan,) * 3)
+        shape = BY_NAME[x.precision].marker if x.precision in BY_NAME else "D"
+        marks.append(plots.Mark(
+            f"{x.function} {x.format} {where}".strip(), middle, low, high, x.bounds[unit],
+            plots.COLOURS[x.tier], shape, label=in_unit(x.bounds[unit], unit),
+            title=f"{x.format}: proved {in_unit(x.bounds[unit], unit)}, {middle:,.0f}"
+                  f"{' instructions' if where else ' ns'}"))
+    plots.scatter(axes, marks)
+    plots.tier_legend(axes, (x.tier for x in rows))
+
+
 def runs(costs: Costs) -> Iterator[plots.Panel]:
     """Panels of effects and of runs, if they were measured."""
     if costs.runs:
@@ -47,7 +79,7 @@ def runs(costs: Costs) -> Iterator[plots.Panel]:
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
     with delivered(path) as temporary:
-        plots.write(plots.drawn((*functions(costs), *runs(costs))), temporary)
+        plots.write(plots.drawn((*cores(costs), *functions(costs), *runs(costs))), temporary)
 
 
 def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0,
