@@ -167,6 +167,15 @@ def test_geoms_that_may_touch_are_kept_as_the_file_says(mjcf):
     assert isinstance(of["wedge"].mesh, Triangles) and len(of["wedge"].mesh.faces) == 4
 
 
+def test_heights_of_an_mjcf_are_kept_as_unusable_with_the_reason(tmp_path):
+    path = tmp_path / "hill.xml"
+    path.write_text("""<mujoco><asset><hfield name="hill" nrow="2" ncol="2" size="1 1 1 0.1"
+elevation="0 1 1 0"/></asset><worldbody><geom name="hill" type="hfield" hfield="hill"/>
+<body><joint/><geom size="0.1" mass="1"/></body></worldbody></mujoco>""")
+    hill, _ = collisions(path)
+    assert hill.problem == "a geom of the type hfield is no shape that is kept"
+
+
 def test_shapes_move_as_in_mujoco(mjcf, tmp_path):
     """Poses of geoms at random states: behind anchors off the origin, `ref` and slides."""
     path, of = mjcf
