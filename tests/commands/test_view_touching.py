@@ -207,7 +207,7 @@ def test_states_of_all_effects_are_one_group(tmp_path):
     """Each is labelled by its effect, and where its contact is."""
     (result,) = run(tmp_path / "thing.toml", FREE.format(shape=BALL, ground="", com="[0, 0, 0]"
                     ).replace('"q",', '"q", "x",'), precision="double")
-    groups = {x["title"]: [y["label"] for y in x["signals"]]
+    groups = {x["heading"].split(",")[0]: [y["label"] for y in x["signals"]]
               for x in PageData(page([result])).json["groups"]}
     assert groups["States x"] == [f"contact.thing.{i}" for i in range(3)]
 

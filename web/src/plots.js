@@ -22,7 +22,7 @@ class Chart {
     this.figure.className = "signals";
     this.caption = document.createElement("figcaption");
     const title = document.createElement("strong");
-    title.textContent = group.unit ? `${group.title}, ${group.unit}` : group.title;
+    title.textContent = group.heading;
     this.caption.append(title);
     this.figure.append(this.caption);
     const labels = [...new Set(group.signals.map(signal => signal.label))];
@@ -149,7 +149,7 @@ export class Plots {
     recording.groups.forEach(group => {
       const button = document.createElement("button");
       button.type = "button";
-      button.textContent = group.unit ? `${group.title}, ${group.unit}` : group.title;
+      button.textContent = group.heading;
       button.addEventListener("click", () => this.toggle(group, button));
       choice.append(button);
       button.setAttribute("aria-pressed", "false");
