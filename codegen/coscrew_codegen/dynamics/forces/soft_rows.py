@@ -16,7 +16,7 @@ in W, which cost nothing."""
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from coscrew_codegen.algebra.recording.numbers import Number, Vector, less, maximum, where
+from coscrew_codegen.algebra.recording.numbers import Number, Vector, less, where
 from coscrew_codegen.dynamics.algorithms.linear_systems import product
 from coscrew_codegen.scene.effect import Slopes
 
@@ -58,10 +58,10 @@ class SoftRows:
         self._shares = self._eliminated()
 
     def _eliminated(self) -> list[Number]:
-        """1/(1 + m w) of each row, w what those before leave of its W: at least 0, also rounded."""
+        """1/(1 + m w) of each row, w what those before leave of its W."""
         shares: list[Number] = []
         for k, (W, mass) in enumerate(zip(self._left, self._masses, strict=True)):
-            shares.append(1 / (1 + mass * (maximum(W[k], 0) if k else W[k])))
+            shares.append(1 / (1 + mass * W[k]))
             held = mass * shares[k]
             for i, other in enumerate(self._left[k + 1:], k + 1):
                 given = held * other[k]
