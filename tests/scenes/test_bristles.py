@@ -1,4 +1,4 @@
-"""What bristles store, and the power of their effects, against the law in 50 digits; with it the
+"""Energy that bristles store, and power of their effects, against the law in 50 digits; with it the
 energies of a block that sticks and is pushed add up."""
 
 from pathlib import Path
