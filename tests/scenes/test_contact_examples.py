@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import coscrew
 from coscrew_codegen import load_scene, run
@@ -116,3 +117,21 @@ def test_normals_are_those_of_the_ground(tmp_path: Path) -> None:
     assert f.normal[0] == pytest.approx([0.6, 0, 0.8], abs=1e-15)
     assert f.force[0] == pytest.approx(np.linalg.norm(f.force[0]) * f.normal[0], abs=1e-15)
     assert np.linalg.norm(f.force[0]) > 0
+
+
+def test_a_series_of_bounces_is_that_of_the_law(tmp_path: Path) -> None:
+    """Each bounce of a hard ball keeps e v of its speed v, with log((1 + y)/(1 - e y)) = (1 + e) y,
+    y = 1.5 alpha v; so do the heights, up to what gravity does while it touches, g τ/v."""
+    text = (SCENES / "bouncing_ball.toml").read_text().replace("mu = 0.5", "mu = 0.5\nk = 1e9")
+    text = text.replace("restitution = 0.7\nspeed = 4.4", "alpha = 0.1")
+    path = tmp_path / "ball.toml"
+    path.write_text(text[:text.index("[outputs]")] + "[outputs]\nevery = 1e-3\n")
+    z = run(path, until=3.5, step=1e-3, precision="double").q[:, 2]
+    tops = z[1:-1][(z[1:-1] > z[:-2]) & (z[1:-1] >= z[2:])]
+    v, count = math.sqrt(2 * G), 0
+    for top in tops[:4]:
+        y = 0.15 * v
+        e = brentq(lambda e, y=y: (1 + e) * y - math.log((1 + y) / (1 - e * y)), 1e-3, 1 - 1e-9)
+        v, count = e * v, count + 1
+        assert top - 0.1 == pytest.approx(v * v / (2 * G), rel=5e-3 * count)
+    assert count == 4
