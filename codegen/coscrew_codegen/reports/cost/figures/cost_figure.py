@@ -16,7 +16,7 @@ from coscrew_codegen.program.values.digits import three_digits
 from coscrew_codegen.program.values.formats import BY_NAME, PRECISIONS
 from coscrew_codegen.reports.cost.cost_measurement import Costs
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors, units_with_errors
-from coscrew_codegen.reports.cost.needs.core_costs import CoreCost
+from coscrew_codegen.reports.cost.needs.core_costs import CORES, CoreCost
 from coscrew_codegen.reports.cost.needs.need import Need
 from coscrew_codegen.reports.cost.recommendations import recommended, undominated
 from coscrew_codegen.reports.cost.run_errors import RunErrors
@@ -41,7 +41,7 @@ def cores(costs: Costs) -> Iterator[plots.Panel]:
     the proved bound against time or instructions."""
     for name in dict.fromkeys(x.function for x in costs.cores):
         rows = [x for x in costs.cores if x.function == name and x.bounds]
-        for where in ("", *rows[0].instructions):
+        for where in ("", *CORES):
             yield plots.Panel(
                 f"Bound of {name} against {'instructions on a ' * bool(where)}{where or 'time'}",
                 partial(bounds, rows=rows, where=where))
@@ -61,7 +61,7 @@ def bounds(axes: Axes, rows: Sequence[CoreCost], where: str, named: bool = True)
 
 
 def _bound(x: CoreCost, unit: str, where: str, named: bool) -> plots.Mark:
-    low, middle, high = (x.instructions[where],) * 3 if where else (
+    low, middle, high = (x.instructions.get(where, math.nan),) * 3 if where else (
         (x.time.low, x.time.median, x.time.high) if x.time else (math.nan,) * 3)
     word, bound = ("largest", x.returned[unit]) if unit in x.returned else (
         "proved", x.bounds[unit])

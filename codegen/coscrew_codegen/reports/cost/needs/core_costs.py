@@ -25,6 +25,7 @@ from coscrew_codegen.program.values.formats import Precision, named
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors
 from coscrew_codegen.reports.cost.measured import TierChoice
 from coscrew_codegen.reports.cost.needs import core_estimates, cortex_m4
+from coscrew_codegen.reports.cost.needs.core_estimates import Operations
 from coscrew_codegen.reports.cost.needs.fixed_times import fixed_times
 from coscrew_codegen.reports.cost.needs.proved import over_ranges
 from coscrew_codegen.reports.timing.intervals import Interval
@@ -51,7 +52,7 @@ class CoreCost:
     tier: str
     precision: str
     bounds: dict[str, float]  # {} without a proof
-    instructions: dict[str, int]
+    instructions: dict[str, int]  # without those too few to be estimated
     time: Interval | None = None
     counted: bool = False  # else estimated
     worst: Mapping[str, float] = field(default_factory=dict)  # {} without a search
@@ -70,7 +71,6 @@ class FormatC:
     name: str  # of the C function
     function: FunctionProgram
     bounds: Sequence[float] | None
-    estimate: Callable[[str], int]  # by core
     made: FixedProgram | None = None
     products: Products | None = None
 
@@ -159,32 +159,44 @@ def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier
         function = scene.named(name)
         words = p.name if tier == PLAIN.name else f"{p.name} {tier}"
         yield FormatC(words, tier, p, stem, stem, c_name(scene, name, p), function,
-                       over_ranges(plain.named(name), TierChoice(tier, p)),
-                       core_estimates.of_function(function, p))
+                       over_ranges(plain.named(name), TierChoice(tier, p)))
     for products, fixed in f.programs.items():
         mark = scene_c_fixed.MARK[products]
         yield FormatC(f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}", made.tier.name,
                        INTEGERS, f"{made.stem}{mark}", made.stem,
                        scene_c_fixed.c_name(made, f, products), f.plain,
-                       [float(x.error) for x in fixed.results],
-                       core_estimates.of_fixed(fixed.program, products), fixed, products)
+                       [float(x.error) for x in fixed.results], fixed, products)
+
+
+def given_at(x: FormatC, f: FixedFunction) -> list[np.ndarray]:
+    """The arguments at the state at which instructions are counted."""
+    integers = [np.array([int(_STATE * y.largest) for y in values], np.int32)
+                for values in f.inputs]
+    return integers if x.precision is INTEGERS else [
+        np.array([y / 2.0**value.bits for y, value in zip(parts, values, strict=True)], np.float32)
+        for parts, values in zip(integers, f.inputs, strict=True)]
+
+
+def operations(x: FormatC, f: FixedFunction) -> Operations:
+    """The operations of a call there, by kind."""
+    if x.made and x.products:
+        return core_estimates.of_fixed(x.made.program, x.products)
+    return core_estimates.of_function(x.function, x.precision, given_at(x, f))
 
 
 def _counted(x: FormatC, f: FixedFunction, folder: Path) -> dict[str, int]:
     """The instructions of a call at one state, by core."""
-    integers = [np.array([int(_STATE * y.largest) for y in values], np.int32)
-                for values in f.inputs]
-    given = integers if x.precision is INTEGERS else [
-        np.array([y / 2.0**value.bits for y, value in zip(parts, values, strict=True)], np.float32)
-        for parts, values in zip(integers, f.inputs, strict=True)]
     return {core: cortex_m4.counted(
         cortex_m4.built(folder, x.stem, x.precision, compiler), x.header, x.function, x.name,
-        given, x.precision, compiler)[0] for core, compiler in CORES.items()}
+        given_at(x, f), x.precision, compiler)[0] for core, compiler in CORES.items()}
 
 
 def _cost(x: FormatC, f: FixedFunction, folder: Path, time: Interval | None) -> CoreCost:
     exact = not cortex_m4.missing()
-    instructions = _counted(x, f, folder) if exact else {core: x.estimate(core) for core in CORES}
+    if exact:
+        instructions = _counted(x, f, folder)
+    else:
+        instructions = {core: number for core in CORES if (number := operations(x, f).on(core))}
     return CoreCost(f.plain.name, x.words, x.tier, x.precision.name,
                     _by_unit(f.plain, x.bounds) if x.bounds else {}, instructions,
                     time, exact)
@@ -201,18 +213,23 @@ def _in_units(errors: Mapping[str, float]) -> str:
     return " and ".join(in_unit(x, unit) for unit, x in errors.items() if x < inf)
 
 
+def _instructions(x: CoreCost, core: str) -> str:
+    known = x.instructions.get(core)
+    return f"{'' if x.counted else 'about '}{known:,}" if known else ""
+
+
 def table(costs: Sequence[CoreCost]) -> Table:
     """A line for each function and format."""
     rows = tuple(
         (x.function if n == 0 or costs[n - 1].function != x.function else "", x.format,
          _in_units(x.bounds), _in_units(x.worst),
          with_interval(x.time.median, x.time.low, x.time.high) if x.time else "",
-         *(f"{'' if x.counted else 'about '}{x.instructions[core]:,}" for core in CORES))
+         *(_instructions(x, core) for core in CORES))
         for n, x in enumerate(costs))
     missing = cortex_m4.missing()
     why = (
-        f"Estimated from operations, without {' and '.join(missing)}: for arms of three to seven "
-        "joints within about 10 % of counts; of a few joints at small angles, whose sines multiply "
-        "by zeros, floating point takes up to 0.4 less.",) if missing else ()
+        f"Estimated from operations, without {' and '.join(missing)}, within about 10 % of counts; "
+        f"none below {core_estimates.LEAST} instructions, where the compiler's choice of registers "
+        "decides.",) if missing else ()
     return Table(("in the stated ranges", "format", "proved", "found", "ns here", *CORES), rows,
                  (_ABOVE, *why), title="Fixed point", texts=3)
