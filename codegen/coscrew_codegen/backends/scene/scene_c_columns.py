@@ -17,8 +17,9 @@ from coscrew_codegen.program.splitting.columns import AlikeColumns, columns
 from coscrew_codegen.program.splitting.parts import Group
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 
-ABOVE = "COSCREW_COLUMNS"
-"""A macro above the loop, with which clang vectorizes it at every level of optimization."""
+ABOVE, ALIGNED = "COSCREW_COLUMNS", "COSCREW_ALIGNED"
+"""Macros: above a loop, with which clang vectorizes it at every level of optimization; before an
+array whose rows loops read and write."""
 _BLOCK = 4
 """Arrays have a multiple of so many columns: the rest of a loop would not be vectorized."""
 _MADE = "made"  # the array of results
@@ -46,7 +47,7 @@ class ColumnLoop:
 
     def declared(self, precision: Precision) -> str:
         """The declaration of the array."""
-        return (f"{precision.c_type} {self.array}[{len(self.columns.given)}]"
+        return (f"{ALIGNED} {precision.c_type} {self.array}[{len(self.columns.given)}]"
                 f"[{self._size}];")
 
     @property
@@ -67,7 +68,7 @@ class ColumnLoop:
             [(f"{self.group.name}->{place}", _operand(x, precision, read))
              for place, x in self._given() if self.slots.get(self._kept(x)) != place],
             WIDTH - 2)
-        yield f"{precision.c_type} {_MADE}[{len(self.columns.results)}][{self._size}];"
+        yield f"{ALIGNED} {precision.c_type} {_MADE}[{len(self.columns.results)}][{self._size}];"
         yield ABOVE
         yield f"for (int c = 0; c < {self._size}; ++c) {{"
         nesting = self.plan.printed(language(program, precision), lambda x: (
