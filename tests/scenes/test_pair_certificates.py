@@ -72,7 +72,7 @@ def lines(scene: str, name: str, precision: Precision, seed: int | None = None) 
 
 
 def mixture(its: FunctionProgram, seed: int) -> Mixture:
-    """A random mixture, of which sine and cosine of an angle are pairs together."""
+    """A random mixture; sine and cosine of an angle are pairs together."""
     draw, steps = np.random.default_rng(seed), plain(its).instructions
     paired = frozenset(x.name for x in steps if draw.random() < (0, 0.3, 0.6, 0.9)[seed % 4])
     angles = {x.operands for x in steps if x.op in (Op.SIN, Op.COS) and x.name in paired}
@@ -98,8 +98,8 @@ def refused(its: Sequence[str]) -> bool:
 def errors(its: Sequence[str], program: Program) -> list[float]:
     """The bounds of the results' errors."""
     names = {f"{a.name}[{k}]" for a in program.outputs for k in range(a.quantity.size)}
-    found = (x.split() for x in its if x.startswith("copy "))
-    return [float.fromhex(x[-2]) for x in found if x[1] in names]
+    copies = (x.split() for x in its if x.startswith("copy "))
+    return [float.fromhex(x[-2]) for x in copies if x[1] in names]
 
 
 def test_the_checkers_import_fractions_alone():
@@ -221,7 +221,7 @@ def states(its: FunctionProgram, count: int) -> list[list[np.ndarray]]:
 
 
 def exact(op: str, *x: Fraction) -> Fraction:
-    """What an instruction computes, before it is rounded."""
+    """The value of an instruction, before it is rounded."""
     if op[:3] in ANGLE:
         with mpmath.workdps(60):
             value = ANGLE[op[:3]](mpmath.mpf(x[0].numerator) / x[0].denominator)

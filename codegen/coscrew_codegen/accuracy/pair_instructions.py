@@ -57,7 +57,7 @@ class PairInstructions:
         self.sine, self.rest = SINCOS.error(precision), above(SINCOS_ERROR.error(precision))
         self._equal: dict[Product, Polynomial] = {}
         self._sums: dict[str, tuple[Op, str, str]] = {}
-        self._shares: dict[str, tuple[str, str]] = {}  # of which sum, and of which of its operands
+        self._shares: dict[str, tuple[str, str]] = {}  # a sum, and the operand whose share it is
 
     def given(self, name: str, size: Fraction) -> None:
         """Includes a number up to this size, on which others depend."""
