@@ -1,7 +1,6 @@
 """Examples in which bodies touch, and hard cases of contact, against closed forms."""
 
 import math
-import re
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,9 +9,6 @@ import pytest
 
 import coscrew
 from coscrew_codegen import load_scene, run
-from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulation.check.contact_check import contacts_of
-from coscrew_codegen.simulation.plan import Trajectory
 
 SCENES = Path(__file__).parents[2] / "examples/scenes"
 G = 9.81
@@ -111,22 +107,6 @@ def test_a_kilometre_away_single_precision_loses_places_not_speeds(tmp_path: Pat
     assert abs(q[2] - 0.099) < 5e-6
 
 
-def test_check_judges_contacts(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    """A ball that slides slips all the time; one too stiff for the parts of a step is told."""
-    path = tmp_path / "ball.toml"
-    start = "[start.q]\nfree = [0, 0, 0.099, 0, 0, 0, 1]\n[start.v]\nfree = [9, 0, 0, 0, 0, 0]\n"
-    path.write_text(BALL + "[effects.gravity]\n" + start)
-    assert main(["check", str(path), "--until", "0.2", "--precision", "double"]) == 0
-    output = capsys.readouterr().out
-    assert "deepest contact, over the depth at rest" in output and "1, 1" in output
-    assert re.search("least normal force of contacts, over the largest force +1", output)
-    path.write_text(BALL.replace("mu = 0.5", "mu = 0.5\nk = 1e12") + "[effects.gravity]\n"
-                    "[start.q]\nfree = [0, 0, 0.1, 0, 0, 0, 1]\n[start.v]\n"
-                    "free = [0, 0, -3, 0, 0, 0]\n[outputs]\nevery = 0.001\n")
-    main(["simulate", str(path), "--until", "0.002", "--precision", "double"])
-    assert "a contact bounces too fast at t = 0 s" in capsys.readouterr().err
-
-
 def test_normals_are_those_of_the_ground(tmp_path: Path) -> None:
     """On a slope, and of two bodies from the second to the first."""
     path = tmp_path / "ball.toml"
@@ -136,29 +116,3 @@ def test_normals_are_those_of_the_ground(tmp_path: Path) -> None:
     assert f.normal[0] == pytest.approx([0.6, 0, 0.8], abs=1e-15)
     assert f.force[0] == pytest.approx(np.linalg.norm(f.force[0]) * f.normal[0], abs=1e-15)
     assert np.linalg.norm(f.force[0]) > 0
-
-
-class Pulling:
-    """A system with one contact, whose normal force is this one of the largest force."""
-
-    dtype = np.float64
-
-    def __init__(self, least: float):
-        self.least = least
-
-    def has(self, name: str) -> bool:
-        return name == "contacts"
-
-    def outputs(self, _name: str, **given: np.ndarray) -> tuple[np.ndarray, ...]:
-        up = np.tile([0.0, 0, 1], (2, 1, 1))
-        forces = up * np.array([100, 100 * self.least])[:, None, None]
-        return up, forces, np.ones((2, 1)), np.zeros((2, 1)), up
-
-
-@pytest.mark.parametrize("least, passes", [(0, True), (-1e-15, True), (-1e-3, False),
-                                           (float("nan"), False)])
-def test_contacts_that_pull_are_false(least: float, passes: bool) -> None:
-    trajectory = Trajectory(np.array([0.0, 0.5]), np.zeros((2, 7)), np.zeros((2, 6)), 0, 0)
-    its = contacts_of(Pulling(least), trajectory, 1e-3)
-    assert its.passed is passes
-    assert its.pulls_at == 0.5

@@ -12,10 +12,18 @@ from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.fixed.scene_c_fixed import c_name
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.fixed.fixed_program import Products
+from coscrew_codegen.reports.cost import cost_measurement
+from coscrew_codegen.reports.cost.cost_request import CostRequest
+from coscrew_codegen.reports.cost.error_states import box_of
+from coscrew_codegen.reports.cost.measured import Counts
 from coscrew_codegen.reports.cost.needs import core_costs, core_estimates, cortex_m4
 from coscrew_codegen.reports.cost.needs.core_costs import CORES, on_cores
 from coscrew_codegen.runtime.compilation import compiler
+from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.result_units import in_unit
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.system import system
 from tests.support.compiled.c_harness import run
 from tests.support.compiled.cross import needed
 from tests.support.scenes import fixed_point as fx
@@ -74,6 +82,28 @@ def test_cost_shows_formats_on_cores():
     assert all(single.instructions[x] > 4 * full.instructions[x] for x in list(CORES)[:2])
     text = core_costs.table(costs).text()
     assert "energy" in text and f"{full.instructions['Cortex-M0+']:,}" in text
+
+
+def test_cost_shows_errors_found_in_the_ranges_beside_the_bounds():
+    """Certified functions also return bounds, which lie between."""
+    its = read_scene(GIMBAL)
+    assert its.ranges
+    request = CostRequest(("inverse_dynamics",), Counts.of(12))
+    kernels = kernels_for(its, request.needed(its, None))
+    box = box_of(system(kernels, "double"), 1.0, 1e-3)
+    states = box.drawn(np.random.default_rng(0), 400)
+    for name in ("q", "v", "a"):
+        lower, upper = np.array(its.ranges.of(name, 3)).T
+        assert ((lower <= states[name]) & (states[name] <= upper)).all()
+        assert (states[name].max(0) > 0.9 * upper).all()
+    costs = cost_measurement.measure(kernels, RunOverrides(), request).cores
+    for x in costs:
+        assert 0 < x.worst["N m"] <= x.bounds["N m"] < 100 * x.worst["N m"], x.format
+        assert ("certified" in x.format) == ("N m" in x.returned)
+        assert not x.returned or x.worst["N m"] <= x.returned["N m"] <= x.bounds["N m"]
+    table = core_costs.table(costs)
+    column = table.headers.index("found")
+    assert [row[column] for row in table.rows] == [in_unit(x.worst["N m"], "N m") for x in costs]
 
 
 def test_cost_shows_nothing_of_scenes_without_the_tier(tmp_path):

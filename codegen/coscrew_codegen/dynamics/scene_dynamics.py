@@ -85,8 +85,6 @@ class RecordedDynamics:
         """Numbers of the scene."""
         return tuple(map(self.number, values))
 
-    # frames
-
     @cached_property
     def _still(self) -> Motion:
         """Frames and velocities, without gravity, which takes masses."""
@@ -139,8 +137,6 @@ class RecordedDynamics:
     def _numbers(self) -> dict[str, str]:
         """The numbers of bodies, which name their values."""
         return {body.name: str(n) for n, body in enumerate(self.scene.model.bodies)}
-
-    # dynamics
 
     @cached_property
     def _acting(self) -> AppliedEffects:
@@ -244,6 +240,10 @@ class RecordedDynamics:
     def power(self) -> Number:
         """The power of the effects without potential energy."""
         return self._acting.power()
+
+    def bristles(self) -> Results:
+        """The energy of bristles, and the power of their effects."""
+        return effect_states.bristles(self._recording)
 
     def momentum(self) -> Numbers:
         """(p; L) about the world's origin."""

@@ -77,7 +77,7 @@ def index_of(x: Any, count: Any) -> int:
     if x >= count:
         return int(count) - 1
     near = int(x)  # that of an mpfr is the nearest
-    return near - (near > x)
+    return near - 1 if near > x else near
 
 
 def tables_of(programs: "Iterable[Program]") -> tuple[ConstantTable, ...]:

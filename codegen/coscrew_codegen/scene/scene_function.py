@@ -129,6 +129,9 @@ class Dynamics(Protocol):
     def power(self) -> Number:
         """The power of the effects without potential energy."""
 
+    def bristles(self) -> Results:
+        """The energy of bristles, and the power of the effects that have them."""
+
     def momentum(self) -> Numbers:
         """(p; L) of all bodies about the world's origin, in its axes; without armatures."""
 

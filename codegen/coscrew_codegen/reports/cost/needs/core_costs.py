@@ -2,7 +2,7 @@
 machine: proved bounds over the stated ranges, and instructions or times of a call."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import inf
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -22,6 +22,7 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.fixed.fixed_program import FixedProgram, Products
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import Precision, named
+from coscrew_codegen.reports.cost.function_errors import FunctionErrors
 from coscrew_codegen.reports.cost.measured import TierChoice
 from coscrew_codegen.reports.cost.needs import core_estimates, cortex_m4
 from coscrew_codegen.reports.cost.needs.fixed_times import fixed_times
@@ -34,14 +35,16 @@ from coscrew_codegen.simulation.result_units import in_unit
 CORES = {**cortex_m4.WITHOUT_FLOATS, "Cortex-M4F": cortex_m4.COMPILER}
 _STATE = 0.4  # of the largest arguments
 _ABOVE = ("Proved: no error exceeds it while arguments are in the stated ranges, where fixed point "
-          "cannot overflow.  Instructions of a call with its sines, at one state; double is "
-          "software on all three cores, single on the first two.")
+          "cannot overflow.  Found: the worst error of a search there; a bound far above it is "
+          "loose, as those of long chains are.  Instructions of a call with its sines, at one "
+          "state; double is software on all three cores, single on the first two.")
 
 
 @dataclass(frozen=True)
 class CoreCost:
-    """A function in one number format: its bound by unit, instructions by core, and its time on
-    this machine."""
+    """A function in one number format: by unit the proved bound over the ranges, the worst error
+    that a search found there, and the largest bound that it returned; instructions by core, and its
+    time on this machine."""
 
     function: str
     format: str  # double, single accurate; fixed, high products of fixed
@@ -51,6 +54,8 @@ class CoreCost:
     instructions: dict[str, int]
     time: Interval | None = None
     counted: bool = False  # else estimated
+    worst: Mapping[str, float] = field(default_factory=dict)  # {} without a search
+    returned: Mapping[str, float] = field(default_factory=dict)  # {} if it returns no bounds
 
 
 @dataclass(frozen=True)
@@ -67,12 +72,18 @@ class FormatC:
     bounds: Sequence[float] | None
     estimate: Callable[[str], int]  # by core
     made: FixedProgram | None = None
+    products: Products | None = None
+
+
+Search = Callable[[FixedFunction, Products], Mapping[str, float]]
+"""Returns the worst errors of a function in fixed point, by unit."""
 
 
 def on_cores(scene: Scene, names: Sequence[str], compiler: Compiler,
-             times: Mapping[tuple[str, str], Interval]) -> tuple[CoreCost, ...]:
-    """The costs of these functions, if the scene selects fixed point; () if it does not.  `times`
-    of other formats are known, by function and format.  Raises CountError."""
+             measured: Mapping[tuple[str, str], FunctionErrors],
+             search: Search | None = None) -> tuple[CoreCost, ...]:
+    """The costs of these functions, if the scene selects fixed point; () if it does not.  Errors
+    and times of other formats are known, by function and format.  Raises CountError."""
     if not any(tier.fixed for tier in map(tier_named, scene.tiers)) or not names:
         return ()
     plain = derive(scene, tuple(names))
@@ -81,11 +92,22 @@ def on_cores(scene: Scene, names: Sequence[str], compiler: Compiler,
     except NoFunctionsError:
         return ()
     files, tiers, plain = _files(made, plain)
-    times = {**times, **fixed_times(made, files, compiler)}
+    times = {key: x.time for key, x in measured.items()} | fixed_times(made, files, compiler)
+    costs = []
     with TemporaryDirectory() as folder:
         _write(files, Path(folder))
-        return tuple(_cost(x, f, Path(folder), times) for f in made.functions
-                     for x in _variants(made, plain, tiers, f))
+        for f in made.functions:
+            for x in _variants(made, plain, tiers, f):
+                key = f.plain.name, x.words
+                cost = _cost(x, f, Path(folder), times.get(key))
+                if x.products and search:
+                    cost = replace(cost, worst=search(f, x.products))
+                elif key in measured:
+                    errors = measured[key].errors
+                    cost = replace(cost, worst={e.unit: e.worst for e in errors}, returned={
+                        e.unit: e.bounds.worst for e in errors if e.bounds})
+                costs.append(cost)
+    return tuple(costs)
 
 
 def counted(made: FixedScene, plain: SceneFunctions, folder: Path
@@ -145,7 +167,7 @@ def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier
                        INTEGERS, f"{made.stem}{mark}", made.stem,
                        scene_c_fixed.c_name(made, f, products), f.plain,
                        [float(x.error) for x in fixed.results],
-                       core_estimates.of_fixed(fixed.program, products), fixed)
+                       core_estimates.of_fixed(fixed.program, products), fixed, products)
 
 
 def _counted(x: FormatC, f: FixedFunction, folder: Path) -> dict[str, int]:
@@ -160,13 +182,12 @@ def _counted(x: FormatC, f: FixedFunction, folder: Path) -> dict[str, int]:
         given, x.precision, compiler)[0] for core, compiler in CORES.items()}
 
 
-def _cost(x: FormatC, f: FixedFunction, folder: Path, times: Mapping[tuple[str, str], Interval]
-          ) -> CoreCost:
+def _cost(x: FormatC, f: FixedFunction, folder: Path, time: Interval | None) -> CoreCost:
     exact = not cortex_m4.missing()
     instructions = _counted(x, f, folder) if exact else {core: x.estimate(core) for core in CORES}
     return CoreCost(f.plain.name, x.words, x.tier, x.precision.name,
                     _by_unit(f.plain, x.bounds) if x.bounds else {}, instructions,
-                    times.get((f.plain.name, x.words)), exact)
+                    time, exact)
 
 
 def _by_unit(f: FunctionProgram, errors: Sequence[float]) -> dict[str, float]:
@@ -176,11 +197,15 @@ def _by_unit(f: FunctionProgram, errors: Sequence[float]) -> dict[str, float]:
             for unit in dict.fromkeys(f.units)}
 
 
+def _in_units(errors: Mapping[str, float]) -> str:
+    return " and ".join(in_unit(x, unit) for unit, x in errors.items() if x < inf)
+
+
 def table(costs: Sequence[CoreCost]) -> Table:
     """A line for each function and format."""
     rows = tuple(
         (x.function if n == 0 or costs[n - 1].function != x.function else "", x.format,
-         " and ".join(in_unit(bound, unit) for unit, bound in x.bounds.items() if bound < inf),
+         _in_units(x.bounds), _in_units(x.worst),
          with_interval(x.time.median, x.time.low, x.time.high) if x.time else "",
          *(f"{'' if x.counted else 'about '}{x.instructions[core]:,}" for core in CORES))
         for n, x in enumerate(costs))
@@ -189,5 +214,5 @@ def table(costs: Sequence[CoreCost]) -> Table:
         f"Estimated from operations, without {' and '.join(missing)}: for arms of three to seven "
         "joints within about 10 % of counts; of a few joints at small angles, whose sines multiply "
         "by zeros, floating point takes up to 0.4 less.",) if missing else ()
-    return Table(("in the stated ranges", "format", "proved", "ns here", *CORES), rows,
+    return Table(("in the stated ranges", "format", "proved", "found", "ns here", *CORES), rows,
                  (_ABOVE, *why), title="Fixed point", texts=3)

@@ -62,10 +62,13 @@ def missing() -> tuple[str, ...]:
 
 def built(folder: Path, stem: str, precision: Precision,
           compiler: Sequence[str] = COMPILER) -> Path:
-    """The object of a header's functions in one precision; its files lie in this folder."""
-    made = folder / f"{stem}_{precision.name}.o"
-    _run((*compiler, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
-          made))
+    """The object of a header's functions in one precision, compiled once; its files lie in this
+    folder."""
+    core = compiler[1].rpartition("=")[2]
+    made = folder / f"{stem}_{precision.name}_{core}.o"
+    if not made.exists():
+        _run((*compiler, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
+              made))
     return made
 
 
