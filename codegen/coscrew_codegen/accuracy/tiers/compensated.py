@@ -77,8 +77,18 @@ class Carrier:
         """Issues a plain instruction and the instructions that carry it."""
         self._how.rules[step.op](self, step._replace(operands=tuple(map(self.hi, step.operands))))
 
-    def finished(self, program: Program) -> Program:
-        """The program whose instructions have been carried, its results rounded."""
+    def of(self, program: Program, carry: Callable[[Instruction], None] | None = None) -> Program:
+        """The plain program with its values carried, by default all in pairs, its results rounded.
+        """
+        for step in program.instructions:
+            (carry or self.carry)(step)
+            self.carried(step)
+        return self._finished(program)
+
+    def carried(self, step: Instruction) -> None:
+        """Takes note that a plain instruction has been carried."""
+
+    def _finished(self, program: Program) -> Program:
         guarded = bool(program.counts.keys() & _MAY_FAIL)
         results = tuple(self._final(result, guarded) for result in program.results)
         names = Counter(step.name for step in self.steps)
@@ -135,6 +145,7 @@ class Carrier:
         """hi + lo rounded; its rounding error is the new lo."""
         if self._how.normal is None:
             return x
+        x = self.hi(x)  # it may be an operand twice
         low = self.low(step, x)
         if low is None or not isinstance(x, Ref) or x.name in self._normals:
             return x
@@ -180,12 +191,13 @@ class Carrier:
         return Ref(choice.name),
 
 
+Carriers = Callable[[Program, Precision, Carrying], Carrier]
+"""Makes what carries a program's values: a Carrier, or one that takes notes."""
+
+
 def carried(program: Program, precision: Precision, how: Carrying) -> Program:
     """The plain program with its values carried as hi + lo, its results rounded."""
-    carrier = Carrier(program, precision, how)
-    for step in program.instructions:
-        carrier.carry(step)
-    return carrier.finished(program)
+    return Carrier(program, precision, how).of(program)
 
 
 def suffixed(_: Program) -> Name:
