@@ -38,7 +38,7 @@ EXEMPT = {
         "scene/many_states", "scene/step_of_states", "c/rows", "c/blocks", "c/tiles",
         "c/tiles_of_32_bytes", "c/tiles_of_64_bytes", "c/halves", "c/ksl_states.h",
         "c/many_of_states", "cuda/threads",
-        "cuda/kernel", "cuda/two_over_pi", "c/tables", "scene/tables.py")},
+        "cuda/kernel", "cuda/two_over_pi")},
     "cuda/elementary.jinja": PRIMITIVES,
     "cuda/headers.jinja": "the type of a difference of pointers",
     "report/drift.c.jinja": MEASURES}

@@ -1,1 +1,0 @@
-"""Constant tables in C: of scenes, and of the digits of 2/π."""

@@ -1,1 +1,0 @@
-"""Splits long Programs into parts, and finds what repeats in them."""
