@@ -29,7 +29,8 @@ EXEMPT = {
     "c/ksl_types.h.jinja": "a version's number as an integer",
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"scene/{x}.jinja": PRIMITIVES for x in (
-        "coscrew_fixed.h", "fixed.py", "fixed_products", "fixed_sine")},
+        "coscrew_fixed.h", "fixed.py", "fixed_products", "fixed_products_states", "fixed_sine",
+        "fixed_sine_states", "fixed_states")},
     "scene/fixed.c.jinja": "rounds arguments to integers, which have no Program",
     **{f"{x}.jinja": PLACES for x in (
         "gufunc/module.c", "gufunc/lanes", "gufunc/checks",
