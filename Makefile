@@ -120,11 +120,11 @@ cuda: $(VENV)/test-ready build
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
 
-# The README's figure of the cost of accuracy for a Panda; it shows times, so the machine should
-# be idle.
-figure: build
-	$(PYTHON) -m coscrew_codegen cost examples/cost/panda.toml --function inverse_dynamics \
-	    --function forward_dynamics --function mass_matrix --plot examples/cost/panda.svg
+# The README's figure of the cost of accuracy for a Panda, in a minute; it shows times, so the
+# machine should be idle.
+figure: $(VENV)/test-ready build
+	$(PYTHON) -m tests.benchmarks.published_bounds --function inverse_dynamics \
+	    --plot examples/cost/panda.svg
 
 # The figure of docs/bounds.md, of bounds beside errors.
 calibration: $(VENV)/test-ready build

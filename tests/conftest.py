@@ -6,8 +6,10 @@
 import gc
 import importlib
 import os
+import shutil
 import sys
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -77,10 +79,27 @@ def _keep_cache_apart() -> None:
     os.environ["XDG_CACHE_HOME"] = str(Path(__file__).parents[1] / "build" / "cache")
 
 
+def _compile_fast() -> None:
+    """Compiles scenes without optimization, in a fifth of the time: their bits are the same."""
+    name = next((x for x in ("clang", "gcc", "cc") if shutil.which(x)), None)
+    if name and "CC" not in os.environ:
+        os.environ["CC"] = f"{name} -O0"
+
+
+@pytest.fixture(scope="module")
+def users_compiler() -> Iterator[None]:
+    """Scenes are compiled as users' are: tests of compiled code use it."""
+    with pytest.MonkeyPatch.context() as patch:
+        if os.environ.get("CC", "").endswith(" -O0"):
+            patch.delenv("CC")
+        yield
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Report stale extensions once and stop, instead of failing in some test."""
     _keep_bytecode()
     _keep_cache_apart()
+    _compile_fast()
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
     from coscrew_codegen.runtime.build import extensions

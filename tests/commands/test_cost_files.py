@@ -32,6 +32,7 @@ from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.result_units import in_unit
 from coscrew_codegen.simulation.run_summary import RunOverrides
+from tests.benchmarks import published_bounds
 from tests.support.browser import chromium
 from tests.support.scenes import scene_texts as texts
 
@@ -301,28 +302,37 @@ def test_the_scene_chooses_the_functions_unless_told(scene):
         CostRequest(("step_rk4",)).of(own)
 
 
-def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
-    """Tried with a scene that is quicker to derive, at few states; with JSON and a page."""
-    text = (ROOT / "README.md").read_text("utf-8")
-    command = re.search(r"`coscrew (cost (\S+)\s[^`]+--plot (\S+))`", text)
+def test_all_files_are_of_one_measurement(tmp_path, capsys):
+    """With a scene that is quick to derive, at few states."""
     made = {x: tmp_path / f"costs.{x}" for x in ("svg", "json", "html")}
-    words = command[1].replace(command[2], str(ROOT / "examples/scenes/pendulum.toml")).replace(
-        command[3], str(made["svg"])).split()
-    assert main([*words, "--states", "4", "--json", str(made["json"]), "--page",
+    names = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+    chosen = " ".join(f"--function {x}" for x in names)
+    assert main(["cost", str(ROOT / "examples/scenes/pendulum.toml"), *chosen.split(), "--states",
+                 "4", "--plot", str(made["svg"]), "--json", str(made["json"]), "--page",
                  str(made["html"])]) == 0
     assert sorted(tmp_path.iterdir()) == sorted(made.values())
-    committed = CostRequest(tuple(re.findall(r"--function (\S+)", command[1]))).of(
-        read_scene(ROOT / command[2]))
-    marks = {f'id="{name} {precision} {tier}"' for name in committed for precision in BY_NAME
-             for tier in TIERS}
-    assert len(marks) == 18
-    for path in (made["svg"], ROOT / command[3]):
-        drawn = path.read_text("utf-8")
-        assert all(mark in drawn for mark in marks), path
+    drawn = made["svg"].read_text("utf-8")
+    assert all(f'id="{name} {precision} {tier}"' in drawn for name in names
+               for precision in BY_NAME for tier in TIERS)
     printed, result = capsys.readouterr().out, json.loads(made["json"].read_text("utf-8"))
     assert result["command"] == (
-        f"coscrew cost pendulum.toml {' '.join(f'--function {x}' for x in committed)} --states 4")
+        f"coscrew cost pendulum.toml {chosen} --states 4")
     for function in result["functions"]:
         for sentence in function["sentences"]:
             assert sentence in " ".join(printed.split())
             assert sentence.replace("'", "&#39;") in made["html"].read_text("utf-8")
+
+
+def test_the_readme_figure_shows_every_format_and_rival():
+    """On this machine and each core; its command is the one below it."""
+    text = (ROOT / "README.md").read_text("utf-8")
+    module, file = re.search(r"`python -m (\S+)\s[^`]+--plot (\S+)`", text).groups()
+    assert module == published_bounds.__name__ and f"({file})" in text
+    assert module in (ROOT / "Makefile").read_text("utf-8")
+    drawn = (ROOT / file).read_text("utf-8")
+    formats = ("double", "single", "double accurate", "single accurate", "double certified",
+               "single certified", "single mixed", "single pairs", "fixed", "fixed (high)")
+    for place in ("", " Cortex-M0+", " Cortex-M3", " Cortex-M4F"):
+        assert all(f'id="inverse_dynamics {x}{place}"' in drawn for x in formats)
+        assert drawn.count('id="RoboPrec') == 12
+    assert "prefers-color-scheme: dark" in drawn

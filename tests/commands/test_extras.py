@@ -59,7 +59,7 @@ def run(bare: Path, with_: set[str], *words: str) -> subprocess.CompletedProcess
 
 def test_extras_are_those_of_pyproject():
     for extra, modules in extras.EXTRAS.items():
-        optional = {"pyarrow"} if extra == "simulate" else set()
+        optional = {"pillow", *({"pyarrow"} if extra == "simulate" else ())}
         assert {*modules} == requirements(extra) - optional, extra
 
 

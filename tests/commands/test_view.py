@@ -313,7 +313,7 @@ def test_energies_are_those_of_the_pendulum(shown):
 def test_curves_are_where_the_axis_says(shown):
     """The heights of the kinetic energy, v²/2, in the plot's own pixels."""
     heights = shown.execute_script("""
-        const chart = [...player.plots.charts.values()].find(x => x.group.title === "Energy");
+        const chart = [...player.plots.charts.values()].find(x => x.group.heading === "Energy, J");
         return arguments[0].map(t => {
           const i = chart.plot.data[0].findIndex(x => Math.abs(x - t) < 1e-9);
           return chart.plot.data[1][i];

@@ -43,6 +43,16 @@ def test_a_page_of_40000_triangles_and_500_samples_is_a_megabyte_at_most(tmp_pat
     assert trimesh.Trimesh(vertices, faces).volume == pytest.approx(bumpy(6).volume, rel=1e-3)
 
 
+def test_exactly_40000_triangles_stay_as_they_are(tmp_path):
+    """A torus of 200 by 100 quadrilaterals; the page is within a megabyte, too."""
+    torus = trimesh.creation.torus(0.5, 0.2, major_sections=200, minor_sections=100)
+    torus.export(tmp_path / "torus.stl")
+    results = arm(tmp_path, MESHED.format("torus.stl"), precision="double")
+    text = page(results)
+    assert len(PageData(text).mesh(0)[1]) == len(torus.faces) == 40_000
+    assert len(results[0].t) == 501 and len(text) <= 2**20, len(text)
+
+
 def test_vertices_are_within_a_step_of_their_box(tmp_path):
     """Half a step of 16 bits, and the single precision in which they are kept."""
     bumpy(3).export(tmp_path / "bumpy.stl")

@@ -12,6 +12,7 @@ import coscrew_codegen
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.recordings import recording_writer
+from coscrew_codegen.simulation.view.mesh_normals import creased
 from coscrew_codegen.simulation.view.view_files import view
 from tests.support.playback_data import PageData, arm
 from tests.support.scenes import scene_texts as texts
@@ -69,9 +70,9 @@ def test_rerun_reads_poses_and_signals_of_every_run(seen, entities):
         assert [x.total_seconds() for x in of["t"]] == pytest.approx(t, abs=1e-6)
         turns = np.array([x[0] for x in of["Transform3D:quaternion"]])
         assert np.abs(turns - wanted[:, None] * [0, 1, 0, 0])[:, :3].max() < 1e-6
-    q = entities["/signals/Positions q/hinge (single)"]["Scalars:scalars"]
+    q = entities["/signals/Positions q, rad/hinge (single)"]["Scalars:scalars"]
     assert np.abs(np.sin(np.ravel(q) / 2) - half_angle(results[1])[1]).max() < 1e-7
-    target = entities["/signals/Positions q/hinge (target)"]
+    target = entities["/signals/Positions q, rad/hinge (target)"]
     assert np.ravel(target["Scalars:scalars"]) == pytest.approx(
         [0.5 * x.total_seconds() for x in target["t"]], abs=1e-6)
 
@@ -88,6 +89,10 @@ def test_rerun_reads_the_shapes_at_their_places(entities):
     corners = np.array(shapes[4]["Mesh3D:vertex_positions"][0])
     faces = np.array(shapes[4]["Mesh3D:triangle_indices"][0])
     assert trimesh.Trimesh(corners, faces).volume == pytest.approx(6)
+    normals = np.array(shapes[4]["Mesh3D:vertex_normals"][0])
+    flat = np.cross(*np.diff(corners[faces], axis=1).transpose(1, 0, 2))  # of each face
+    flat /= np.linalg.norm(flat, axis=1, keepdims=True)
+    assert np.abs(normals[faces] - flat[:, None]).max() < 1e-6  # a box has edges
     for x in shapes.values():
         assert x["Transform3D:translation"] == [[[0, 0, -1]]]
         assert x["Transform3D:quaternion"][0][0] == pytest.approx(
@@ -96,6 +101,49 @@ def test_rerun_reads_the_shapes_at_their_places(entities):
                  for x in ("double", "single")]
     assert opacities == [128, 45]  # half, and 35 % of it
     assert "/world/double/base/shape 0" not in entities
+
+
+def test_rerun_keeps_quantities_of_different_units_apart(tmp_path):
+    """A plot shows all that stands below its place: angles and lengths have places of their own."""
+    pytest.importorskip("rerun", reason='needs pip install "coscrew[rerun]"')
+    from rerun.chunk import RrdReader
+
+    scene = tmp_path / "crane.toml"
+    scene.write_text("""
+[bodies]
+cart = { mass = 1 }
+load = { mass = 1, com = [0, 0, -1] }
+[joints]
+rail = { type = "prismatic", child = "cart", axis = [1, 0, 0] }
+rope = { type = "revolute", parent = "cart", child = "load", axis = [0, 1, 0] }
+[effects.gravity]
+[outputs]
+record = ["q"]
+[run]
+duration = 0.1
+""", encoding="utf-8")
+    coscrew_codegen.run(scene).view(tmp_path / "crane.rrd")
+    names = {x.entity_path.replace("\\", "")
+             for x in RrdReader(tmp_path / "crane.rrd").stream()}
+    assert {x for x in names if "Positions" in x} == {
+        "/signals/Positions q, m/rail", "/signals/Positions q, rad/rope"}
+
+
+def test_normals_are_those_of_a_round_surface_and_edges_stay():
+    """A sphere's are its radii, to half the turn from one face to the next; a tube's rims are
+    edges.  No face turns."""
+    ball = trimesh.creation.icosphere(3)
+    vertices, faces, normals = creased(ball.vertices, ball.faces)
+    assert len(vertices) == len(ball.vertices)
+    half = ball.face_adjacency_angles.max() / 2
+    assert np.einsum("ij,ij->i", vertices, normals).min() > np.cos(half)
+    tube = trimesh.creation.cylinder(1, 2, sections=64)
+    vertices, faces, normals = creased(tube.vertices, tube.faces)
+    assert (vertices[faces] == tube.vertices[tube.faces]).all()
+    across = np.abs(normals[:, 2])
+    assert set(np.round(across, 3)) == {0, 1}
+    wall = across < 0.5
+    assert np.einsum("ij,ij->i", vertices[wall, :2], normals[wall, :2]).min() > np.cos(0.05)
 
 
 def test_a_recording_of_rerun_names_its_origin_and_has_a_layout(seen, entities):

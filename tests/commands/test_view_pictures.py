@@ -3,6 +3,7 @@ in build/pictures, as the report of this test."""
 
 import base64
 import io
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -67,12 +68,54 @@ def pixels(text: str) -> np.ndarray:
     return image[height // 4:3 * height // 4, width // 4:3 * width // 4, :3]
 
 
+OVERLAPS = """
+    const boxes = [...document.querySelectorAll(
+      "#tools > *, #bar > *, #tree, #said p, #groups > *, header > *, figcaption > *, .uplot")]
+      .filter(x => x.checkVisibility()).map(x => [x, x.getBoundingClientRect()]);
+    const results = [];
+    boxes.forEach(([one, a], i) => boxes.slice(i + 1).forEach(([other, b]) => {
+      if (!one.contains(other) && a.left < b.right - 1 && b.left < a.right - 1
+          && a.top < b.bottom - 1 && b.top < a.bottom - 1 && !scrolled(one) && !scrolled(other)) {
+        results.push([one.id || one.textContent, other.id || other.textContent]);
+      }
+    }));
+    function scrolled(x) {  // out of the part of a list that is seen
+      const [own, list] = [x, x.parentElement].map(y => y.getBoundingClientRect());
+      return own.bottom > list.bottom + 1 || own.right > list.right + 1;
+    }
+    return [boxes.length, results];"""
+
+
+@pytest.mark.parametrize("theme", ("light", "dark"))
+@pytest.mark.parametrize("width, height", (DESKTOP, PHONE))
+def test_nothing_lies_over_anything_with_everything_open(pages, browser, width, height, theme):
+    """All tools on, the tree open, a body selected, a distance measured; the picture is kept."""
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+        "features": [{"name": "prefers-color-scheme", "value": theme}]})
+    shown = opened(browser, pages, "arm6", width, height)
+    shown.execute_async_script(DRAWN, SHOWN["arm6"])
+    count, overlapping = shown.execute_script("""
+        for (const tool of player.tools.tools) {
+          if (!tool.on && !["Film", "See-through"].includes(tool.name)) player.tools.toggle(tool);
+        }
+        player.tree.choose(2);
+        for (const body of [player.robot.bodies[1], player.robot.bodies[4]]) {
+          player.measure.mark({ object: { parent: body }, point: body.getWorldPosition(
+            player.stage.now.clone()) });
+        }
+        player.update();
+    """ + OVERLAPS)
+    shown.save_screenshot(str(PICTURES / f"everything_{width}_{theme}.png"))
+    assert count > 30 and overlapping == []
+    assert shown.get_log("browser") == []
+
+
 @pytest.mark.parametrize("name", SHOWN)
 def test_the_robot_is_seen_in_the_picture_of_each_example(pages, browser, name):
     """1.5 % of the middle differ from the bare ground: a pendulum is thin.  The page fits its
     window, and nothing is on the console."""
     shown = opened(browser, pages, name, *DESKTOP)
-    for (width, height), theme in ((DESKTOP, "light"), (PHONE, "dark")):
+    for (width, height), theme in product((DESKTOP, PHONE), ("light", "dark")):
         shown.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "features": [{"name": "prefers-color-scheme", "value": theme}]})
         resize(shown, width, height)

@@ -76,6 +76,25 @@ def test_a_body_is_drawn_as_the_shape_with_which_it_touches(tmp_path, shape):
     assert axis_of(part.place) == pytest.approx(axis, abs=1e-15)
 
 
+def test_a_cylinder_of_a_file_is_drawn_whole(tmp_path):
+    """It touches with its two rims."""
+    (tmp_path / "drum.urdf").write_text("""<robot name="drum"><link name="drum"><inertial>
+<mass value="1"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision><origin xyz="0 0 0.1" rpy="0 0.5 0"/><geometry><cylinder radius="0.3" length="0.5"/>
+</geometry></collision></link></robot>""")
+    path = tmp_path / "drum.toml"
+    path.write_text("""model = "drum.urdf"
+base = "free"
+[effects.gravity]
+[effects.contact]
+mu = 0.5
+""")
+    (part,) = drawn(SimpleNamespace(scene=read_scene(path), p=())).parts
+    assert (part.shape, part.size) == ("cylinder", (pytest.approx(0.3), pytest.approx(0.5)))
+    assert part.place[:3] == pytest.approx((0, 0, 0.1))
+    assert np.abs(axis_of(part.place)) == pytest.approx((math.sin(0.5), 0, math.cos(0.5)))
+
+
 @pytest.mark.parametrize("shape, com", (
     ('shape = "sphere"\nradius = 0.1', "[0, 0, 0.2]"), ('shape = "point"', "[0, 0, 0]"),
     ('shape = "capsule"\nradius = 0.06\nlength = 0.5', "[0.1, 0, 0]"),
@@ -207,7 +226,7 @@ def test_states_of_all_effects_are_one_group(tmp_path):
     """Each is labelled by its effect, and where its contact is."""
     (result,) = run(tmp_path / "thing.toml", FREE.format(shape=BALL, ground="", com="[0, 0, 0]"
                     ).replace('"q",', '"q", "x",'), precision="double")
-    groups = {x["title"]: [y["label"] for y in x["signals"]]
+    groups = {x["heading"].split(",")[0]: [y["label"] for y in x["signals"]]
               for x in PageData(page([result])).json["groups"]}
     assert groups["States x"] == [f"contact.thing.{i}" for i in range(3)]
 

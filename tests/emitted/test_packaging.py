@@ -43,9 +43,10 @@ def project(folder: Path) -> Path:
 
 def built(folder: Path, kind: str, **environment: str) -> Path:
     """The distribution of this kind, built from the project in the folder."""
+    plain = {name: value for name, value in os.environ.items() if name != "CC"}
     done = subprocess.run([sys.executable, "-m", "build", kind, "--no-isolation", "--outdir",
                            "dist"], cwd=folder, text=True, capture_output=True,
-                          env={**os.environ, **environment})
+                          env={**plain, **environment})
     assert done.returncode == 0, done.stdout + done.stderr
     (distribution,) = (folder / "dist").glob("*.whl" if kind == "--wheel" else "*.tar.gz")
     return distribution

@@ -1,5 +1,7 @@
 """jax.jacfwd of a scene's functions: many directions at one place take one Jacobian."""
 
+import re
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -63,9 +65,35 @@ def test_any_directions_are_tangents(robot: Robot, kernels: Kernels,
         assert np.abs(x - y).max() < 1e-12 * np.abs(y).max()
 
 
-def test_jacobians_are_taken_once(robot: Robot, kernels: Kernels) -> None:
-    """The text that XLA gets calls the Jacobian, and no tangent."""
+def test_derivatives_of_dynamics_are_taken_once_and_copied_never(robot: Robot, kernels: Kernels
+                                                                 ) -> None:
+    """Text that XLA compiles calls the scene's function, whose results are those of jacfwd."""
     with jax.enable_x64(True):
-        slopes = jax.vmap(jax.jacfwd(kernels.arrays(jnp).inverse_dynamics, argnums=(0, 1)))
-        text = jax.jit(slopes).lower(*map(jnp.asarray, robot.states(COUNT))).as_text()
-    assert "inverse_dynamics_jacobian" in text and "inverse_dynamics_tangent" not in text
+        slopes = jax.jit(jax.vmap(jax.jacfwd(kernels.arrays(jnp).inverse_dynamics, (0, 1, 2))))
+        given = [*map(jnp.asarray, robot.states(COUNT))]
+        calls, root = calls_and_root(slopes.lower(*given).compile().as_text())
+        result = slopes(*given)
+    assert calls == {"robot_inverse_dynamics_derivatives_double"} and root == "conditional"
+    for x, y in zip(result, kernels.double.inverse_dynamics_derivatives(*given), strict=True):
+        assert np.array_equal(np.asarray(x), y)
+
+
+def test_jacobians_of_other_functions_are_taken_once(robot: Robot, kernels: Kernels) -> None:
+    """A function whose derivatives the scene has not has its Jacobian from its Program."""
+    with jax.enable_x64(True):
+        slopes = jax.jit(jax.vmap(jax.jacfwd(kernels.arrays(jnp).energy, (0, 1))))
+        given = [jnp.asarray(x) for x in robot.states(COUNT)[:2]]
+        calls, root = calls_and_root(slopes.lower(*given).compile().as_text())
+        by_v = slopes(*given)[1][:, 0]
+        M = kernels.double.inverse_dynamics_derivatives(*given, given[1])[2]
+    assert calls == {"robot_energy_jacobian_double"} and root == "conditional"
+    momentum = (M @ np.asarray(given[1])[..., None])[..., 0]
+    assert np.abs(np.asarray(by_v) - momentum).max() < 1e-14 * np.abs(momentum).max()
+
+
+def calls_and_root(text: str) -> tuple[set[str], str]:
+    """Names that compiled text calls, without numbers, and the operation of its results."""
+    calls = {x.rpartition("_")[0] for x in re.findall(r'custom_call_target="(robot_\w+)"', text)}
+    last = re.search(r"ROOT .* (\w+)\(", text.rpartition("\nENTRY ")[2])
+    assert last
+    return calls, last[1]

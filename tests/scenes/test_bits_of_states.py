@@ -21,7 +21,7 @@ from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import inputs, same_bits
 
 NAMES = ("state_rates", "law_switches", "integrated", "step_rk4", "step_semi_implicit_euler",
-         "step_linear_implicit_euler", "step_leapfrog", "energy", "power")
+         "step_linear_implicit_euler", "step_leapfrog", "energy", "power", "bristles")
 WITHOUT = """
 [bodies]
 ball = { mass = 1, com = [0, 0, 0.01], inertia = [0.004, 0.004, 0.004] }

@@ -257,7 +257,7 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
                                 cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     message = {x.communicate()[0] for x in running}
     assert len(message) == 1 and message != {""} and {x.returncode for x in running} == {0}
-    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".o"}
+    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".o", ".function"}
 
 
 def test_of_processes_at_once_one_derives(path: Path):
@@ -284,9 +284,9 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     energy(path)
     assert main(["cache"]) == 0
     shown = capsys.readouterr().out
-    assert f"folder   {folder}\nentries  4\n" in shown
+    assert f"folder   {folder}\nentries  6\n" in shown
     assert main(["cache", "--clear"]) == 0
-    assert "4 entries" in capsys.readouterr().out
+    assert "6 entries" in capsys.readouterr().out
     assert list(folder.iterdir()) == []
 
 
@@ -300,7 +300,7 @@ def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsy
     assert main(["cache", "--clear"]) == 1
     out, err = capsys.readouterr()
     assert "0 entries, 0 bytes, are gone" in out
-    assert err == f"coscrew: 4 entries of {folder} cannot be removed\n"
+    assert err == f"coscrew: 6 entries of {folder} cannot be removed\n"
 
 
 def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):

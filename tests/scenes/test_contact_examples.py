@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import coscrew
 from coscrew_codegen import load_scene, run
-from coscrew_codegen.__main__ import main
 
 SCENES = Path(__file__).parents[2] / "examples/scenes"
 G = 9.81
@@ -32,6 +32,7 @@ class Touching(NamedTuple):
     force: np.ndarray
     depth: np.ndarray
     share: np.ndarray
+    normal: np.ndarray
 
 
 @pytest.mark.parametrize("precision, within, moved", [
@@ -76,6 +77,7 @@ def test_contacts_are_those_of_their_effects() -> None:
         assert np.abs(f.point[k] - foot).max() < 1e-15
         assert f.depth[k] * 1e-3 == pytest.approx(-foot[2], rel=1e-9)
     assert (f.share <= 1 + 1e-12).all() and (f.force[:, 2] >= 0).all()
+    assert np.abs(f.normal - (0, 0, 1)).max() < 1e-15
 
 
 def test_a_grazing_contact_loses_as_much_speed_as_its_friction_takes(tmp_path: Path) -> None:
@@ -106,16 +108,30 @@ def test_a_kilometre_away_single_precision_loses_places_not_speeds(tmp_path: Pat
     assert abs(q[2] - 0.099) < 5e-6
 
 
-def test_check_judges_contacts(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    """A ball that slides slips all the time; one too stiff for the parts of a step is told."""
+def test_normals_are_those_of_the_ground(tmp_path: Path) -> None:
+    """On a slope, and of two bodies from the second to the first."""
     path = tmp_path / "ball.toml"
-    start = "[start.q]\nfree = [0, 0, 0.099, 0, 0, 0, 1]\n[start.v]\nfree = [9, 0, 0, 0, 0, 0]\n"
-    path.write_text(BALL + "[effects.gravity]\n" + start)
-    assert main(["check", str(path), "--until", "0.2", "--precision", "double"]) == 0
-    output = capsys.readouterr().out
-    assert "deepest contact, over the depth at rest" in output and "1, 1" in output
-    path.write_text(BALL.replace("mu = 0.5", "mu = 0.5\nk = 1e12") + "[effects.gravity]\n"
-                    "[start.q]\nfree = [0, 0, 0.1, 0, 0, 0, 1]\n[start.v]\n"
-                    "free = [0, 0, -3, 0, 0, 0]\n[outputs]\nevery = 0.001\n")
-    main(["simulate", str(path), "--until", "0.002", "--precision", "double"])
-    assert "a contact bounces too fast at t = 0 s" in capsys.readouterr().err
+    path.write_text(BALL + "load = 1\n[effects.ground]\nnormal = [0.6, 0, 0.8]\n")
+    kernels = load_scene(path, functions=["contacts"])
+    f = Touching(*kernels.double.contacts([0.06, 0, 0.0799, 0, 0, 0, 1, 0, 0, 0], np.zeros(6)))
+    assert f.normal[0] == pytest.approx([0.6, 0, 0.8], abs=1e-15)
+    assert f.force[0] == pytest.approx(np.linalg.norm(f.force[0]) * f.normal[0], abs=1e-15)
+    assert np.linalg.norm(f.force[0]) > 0
+
+
+def test_a_series_of_bounces_is_that_of_the_law(tmp_path: Path) -> None:
+    """Each bounce of a hard ball keeps e v of its speed v, with log((1 + y)/(1 - e y)) = (1 + e) y,
+    y = 1.5 alpha v; so do the heights, up to what gravity does while it touches, g τ/v."""
+    text = (SCENES / "bouncing_ball.toml").read_text().replace("mu = 0.5", "mu = 0.5\nk = 1e9")
+    text = text.replace("restitution = 0.7\nspeed = 4.4", "alpha = 0.1")
+    path = tmp_path / "ball.toml"
+    path.write_text(text[:text.index("[outputs]")] + "[outputs]\nevery = 1e-3\n")
+    z = run(path, until=3.5, step=1e-3, precision="double").q[:, 2]
+    tops = z[1:-1][(z[1:-1] > z[:-2]) & (z[1:-1] >= z[2:])]
+    v, count = math.sqrt(2 * G), 0
+    for top in tops[:4]:
+        y = 0.15 * v
+        e = brentq(lambda e, y=y: (1 + e) * y - math.log((1 + y) / (1 - e * y)), 1e-3, 1 - 1e-9)
+        v, count = e * v, count + 1
+        assert top - 0.1 == pytest.approx(v * v / (2 * G), rel=5e-3 * count)
+    assert count == 4

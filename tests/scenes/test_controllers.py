@@ -1,8 +1,6 @@
 """Controllers made of a step's derivatives hold what they promise."""
 
-import importlib.util
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
@@ -10,15 +8,7 @@ from scipy.optimize import minimize
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.runtime.callables import Functions
-
-ROOT = Path(__file__).parents[2]
-
-
-def example(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(name, ROOT / f"examples/{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+from tests.support.example_programs import example
 
 
 def test_the_regulator_balances_two_links_on_a_cart(capsys: pytest.CaptureFixture[str]) -> None:

@@ -23,7 +23,7 @@ from tests.support.scenes.differentiated import (
     STEP,
     arguments,
     check,
-    directions,
+    check_step,
     entry,
     results,
 )
@@ -89,27 +89,6 @@ def test_derivatives_of_steps(request: pytest.FixtureRequest, acting: str, integ
     """A, B_tau and B_p are the tangents along unit directions."""
     fixture = "scene" if acting == "all" else acting
     check_step(request.getfixturevalue(fixture), integrator)
-
-
-def check_step(its: Scene, integrator: Integrator) -> None:
-    """A, B_tau and B_p are the tangents along unit directions."""
-    name = integrator.step_with_tau
-    functions = derive(its, (f"{name}_derivatives", f"{name}_tangent"))
-    with mpmath.workdps(50):
-        given = arguments(its, functions, 5)
-        whole = results(functions, f"{name}_derivatives", given)
-        still = {x: [mpf(0)] * len(y) for x, y in directions(functions, f"{name}_tangent",
-                                                             "d_").items()}
-        parts = [("A", ("q", "v")), ("B_tau", ("tau",)), ("B_p", ("p",))]
-        for matrix, by in parts[:3 if its.parameters else 2]:
-            units = [(x, k) for x in by for k in range(len(still[f"d_{x}"]))]
-            for column, (x, k) in enumerate(units):
-                unit = [mpf(int(i == k)) for i in range(len(still[f"d_{x}"]))]
-                tangent = results(functions, f"{name}_tangent", {**given, **still, f"d_{x}": unit})
-                wanted = [*tangent["d_qo"], *tangent["d_vo"]]
-                own = whole[matrix][column::len(units)]
-                for a, b in zip(own, wanted, strict=True):
-                    assert abs(a - b) <= mpf(10)**-30 * max(1, *map(abs, wanted)), (matrix, x, k)
 
 
 DAMPED = """

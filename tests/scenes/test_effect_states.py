@@ -5,29 +5,9 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import again, load_scene, run
-from coscrew_codegen.scene.function_selection import FunctionsError
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-
-SLIDER = """
-runtime = ["stiction.slide.k"]
-[bodies]
-block = { mass = 1, inertia = [0.1, 0.1, 0.1] }
-wheel = { mass = 1, inertia = [0.1, 0.1, 0.1] }
-[joints]
-slide = { type = "prismatic", child = "block", axis = [1, 0, 0] }
-hinge = { type = "revolute", parent = "block", child = "wheel", axis = [0, 1, 0] }
-[effects.stiction.slide]
-tau_c = 4
-tau_s = 5
-k = 5e5
-d = 1000
-[effects.stiction.hinge]
-tau_c = 0.1
-[effects.actuator.slide]
-kind = "torque"
-torque = "3 + 1.9*sin(20*pi*t)"
-"""
+from tests.support.scenes.scene_texts import SLIDER
 
 
 @pytest.fixture
@@ -113,13 +93,6 @@ def test_batches_and_numpy_have_the_bits_of_one_state(scene, monkeypatch):
             q, v = kernels.step_leapfrog(k * 1e-3, 1e-3, [5e5], q, v)
         ends.append((*q, *v))
     assert ends[0] == ends[1]
-
-
-@pytest.mark.parametrize("name", ["step_rk4_derivatives", "step_leapfrog_derivatives",
-                                  "step_leapfrog_tangent"])
-def test_functions_that_would_leave_them_are_no_functions_of_the_scene(scene, name):
-    with pytest.raises((FunctionsError, SceneError), match="is no function of the scene"):
-        load_scene(scene(), functions=[name])
 
 
 def test_derivatives_of_dynamics_hold_them(scene):

@@ -12,9 +12,18 @@ from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.fixed.scene_c_fixed import c_name
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.fixed.fixed_program import Products
-from coscrew_codegen.reports.cost.needs import core_costs, cortex_m4
+from coscrew_codegen.reports.cost import cost_measurement
+from coscrew_codegen.reports.cost.cost_request import CostRequest
+from coscrew_codegen.reports.cost.error_states import box_of
+from coscrew_codegen.reports.cost.measured import Counts
+from coscrew_codegen.reports.cost.needs import core_costs, core_estimates, cortex_m4
 from coscrew_codegen.reports.cost.needs.core_costs import CORES, on_cores
+from coscrew_codegen.runtime.compilation import compiler
+from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.result_units import in_unit
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.system import system
 from tests.support.compiled.c_harness import run
 from tests.support.compiled.cross import needed
 from tests.support.scenes import fixed_point as fx
@@ -51,30 +60,59 @@ def test_cores_have_the_bits_of_numpy_in_few_instructions(made, core, products, 
             CORES[core])
         assert (results == true[:, n]).all()
         assert 0.8 * MOST[core, products.value] < count <= MOST[core, products.value]
+        estimate = core_estimates.of_fixed(function.programs[products].program, products).on(core)
+        assert estimate and abs(estimate / count - 1) < 0.1
 
 
 def test_cost_shows_formats_on_cores():
     """Bounds over the ranges, and instructions, function by function."""
-    costs = on_cores(read_scene(GIMBAL), ("inverse_dynamics", "energy"))
-    assert [x.function for x in costs] == ["inverse_dynamics"] * 4 + ["energy"] * 4
-    assert [x.format for x in costs[:4]] == ["double", "single", "fixed", "fixed (high)"]
-    double, single, full, high = (x.bounds["N m"] for x in costs[:4])
-    assert double < full < high < single / 10
-    assert all(x.instructions.keys() == CORES.keys() for x in costs)
-    by_core = [[x.instructions[core] for x in costs[:4]] for core in CORES]
-    assert all(counts[0] > 10 * counts[2] for counts in by_core)
-    assert all(counts[1] > 4 * counts[2] for counts in by_core[:2])
+    costs = on_cores(read_scene(GIMBAL), ("inverse_dynamics", "energy"), compiler(), {})
+    assert [x.function for x in costs] == ["inverse_dynamics"] * 9 + ["energy"] * 9
+    known = {x.format: x for x in costs[:9]}
+    assert list(known) == [
+        "double", "single", "double accurate", "single accurate", "double certified",
+        "single certified", "single pairs", "fixed", "fixed (high)"]
+    double, single, full, high = (known[x] for x in ("double", "single", "fixed", "fixed (high)"))
+    bounds = [x.bounds["N m"] for x in (double, full, high, single)]
+    assert bounds == sorted(bounds) and 10 * high.bounds["N m"] < single.bounds["N m"]
+    assert known["double accurate"].bounds["N m"] < double.bounds["N m"]
+    assert all(x.counted and x.instructions.keys() == CORES.keys() for x in costs)
+    assert all(x.time for x in (full, high))
+    assert all(double.instructions[x] > 10 * full.instructions[x] for x in CORES)
+    assert all(single.instructions[x] > 4 * full.instructions[x] for x in list(CORES)[:2])
     text = core_costs.table(costs).text()
-    assert "energy" in text and f"{by_core[0][2]:,}" in text
+    assert "energy" in text and f"{full.instructions['Cortex-M0+']:,}" in text
+
+
+def test_cost_shows_errors_found_in_the_ranges_beside_the_bounds():
+    """Certified functions also return bounds, which lie between."""
+    its = read_scene(GIMBAL)
+    assert its.ranges
+    request = CostRequest(("inverse_dynamics",), Counts.of(12))
+    kernels = kernels_for(its, request.needed(its, None))
+    box = box_of(system(kernels, "double"), 1.0, 1e-3)
+    states = box.drawn(np.random.default_rng(0), 400)
+    for name in ("q", "v", "a"):
+        lower, upper = np.array(its.ranges.of(name, 3)).T
+        assert ((lower <= states[name]) & (states[name] <= upper)).all()
+        assert (states[name].max(0) > 0.9 * upper).all()
+    costs = cost_measurement.measure(kernels, RunOverrides(), request).cores
+    for x in costs:
+        assert 0 < x.worst["N m"] <= x.bounds["N m"] < 100 * x.worst["N m"], x.format
+        assert ("certified" in x.format) == ("N m" in x.returned)
+        assert not x.returned or x.worst["N m"] <= x.returned["N m"] <= x.bounds["N m"]
+    table = core_costs.table(costs)
+    column = table.headers.index("found")
+    assert [row[column] for row in table.rows] == [in_unit(x.worst["N m"], "N m") for x in costs]
 
 
 def test_cost_shows_nothing_of_scenes_without_the_tier(tmp_path):
-    assert on_cores(fx.panda(tmp_path, tiers=""), ("energy",)) == ()
-    assert on_cores(read_scene(GIMBAL), ("forward_dynamics",)) == ()
+    assert on_cores(fx.panda(tmp_path, tiers=""), ("energy",), compiler(), {}) == ()
+    assert on_cores(read_scene(GIMBAL), ("forward_dynamics",), compiler(), {}) == ()
 
 
 def test_bounds_are_shown_where_nothing_counts(monkeypatch):
     monkeypatch.setattr(cortex_m4, "EMULATOR", "no-such-emulator")
-    costs = on_cores(read_scene(GIMBAL), ("gravity_torques",))
-    assert len(costs) == 4 and not any(x.instructions for x in costs)
-    assert "Not counted without no-such-emulator." in core_costs.table(costs).text()
+    costs = on_cores(read_scene(GIMBAL), ("gravity_torques",), compiler(), {})
+    assert len(costs) == 9 and not any(x.counted for x in costs)
+    assert "Estimated from operations, without no-such-emulator" in core_costs.table(costs).text()

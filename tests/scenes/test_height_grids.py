@@ -1,12 +1,15 @@
 """Grids of heights against SciPy's Hermite splines, and bodies that stand on them."""
 
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 from scipy.interpolate import CubicHermiteSpline
 
 from coscrew_codegen import load_scene, run
+from coscrew_codegen.scene.contacts.height_grid import HeightGrid
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
@@ -107,8 +110,51 @@ def test_a_plane_of_points_is_a_plane(tmp_path: Path) -> None:
     ("y,0,1\n0,1,2\n1,2,x", "line 3: 'x'"),
     ("y,0,1,3\n0,1,2,3\n1,2,3,4", "x 1 after 0; wanted even steps, here of 1.5"),
     ("y,0,1\n1,1,2\n0,2,3", "y 0 after 1; wanted places that increase"),
-    ("y," + ",".join(map(str, range(13))) + "".join(
-        f"\n{i}" + ",0" * 13 for i in range(10)), "has 130 heights; wanted at most 128")])
+    ("y," + ",".join(map(str, range(2**10))) + "".join(
+        f"\n{i}" + ",0" * 2**10 for i in range(2**10 + 1)),
+     "has 1049600 heights; wanted at most 1048576")])
 def test_tables_that_are_no_grid_are_refused(tmp_path: Path, table: str, words: str) -> None:
     with pytest.raises(SceneError, match=words):
         read_scene(scene(tmp_path, table))
+
+
+@pytest.mark.parametrize("bits", [8, 16])
+def test_an_image_is_the_table_of_its_greys(tmp_path: Path, bits: int) -> None:
+    """The top of the image is at the largest y, black at the lower height."""
+    grey = np.random.default_rng(4).integers(0, 2**bits, (3, 5)).astype(f"u{bits // 8}")
+    Image.fromarray(grey).save(tmp_path / "ground.png")
+    path = scene(tmp_path, "")
+    path.write_text(path.read_text().replace('file = "ground.csv"', '''
+file = "ground.png", size = [4, 1.5], heights = [-0.5, 2]'''.strip()))
+    own = next(x for x in read_scene(path).effects if x.effect.name == "ground").values["height"]
+    assert isinstance(own, HeightGrid)
+    assert own.start == (-2, Fraction(-3, 4)) and own.spacing == (1, Fraction(3, 4))
+    wanted = [[Fraction(5, 2) * int(x) / (2**bits - 1) - Fraction(1, 2) for x in row]
+              for row in grey[::-1]]
+    assert own.rows == tuple(map(tuple, wanted))
+
+
+@pytest.mark.parametrize("keys, words", [
+    ("size = [4, 1]", "heights: missing"), ("heights = [0, 1]", "size: missing"),
+    ("size = [4, 0], heights = [0, 1]", "wanted two positive lengths"),
+    ("size = [4, 1], heights = [1, 1]", "wanted the height of black"),
+    ("size = [4, 1], heights = [0, 1], scale = 2", "scale: unknown key"),
+    ("size = [4, 1], heights = [0, 1]", "wanted grey of 8 or 16 bits")])
+def test_images_that_say_no_heights_are_refused(tmp_path: Path, keys: str, words: str) -> None:
+    Image.fromarray(np.zeros((3, 5, 3), np.uint8)).save(tmp_path / "ground.png")
+    path = scene(tmp_path, "")
+    path.write_text(path.read_text().replace('file = "ground.csv"', f'file = "ground.png", {keys}'))
+    with pytest.raises(SceneError, match=words):
+        read_scene(path)
+
+
+def test_what_is_no_image_or_too_small_is_refused(tmp_path: Path) -> None:
+    path = scene(tmp_path, "")
+    path.write_text(path.read_text().replace(
+        'file = "ground.csv"', 'file = "ground.png", size = [4, 1], heights = [0, 1]'))
+    (tmp_path / "ground.png").write_bytes(b"GIF89a")
+    with pytest.raises(SceneError, match="cannot be read as a PNG image"):
+        read_scene(path)
+    Image.fromarray(np.zeros((1, 5), np.uint8)).save(tmp_path / "ground.png")
+    with pytest.raises(SceneError, match="has 5 × 1 points"):
+        read_scene(path)

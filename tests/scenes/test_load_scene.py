@@ -2,6 +2,7 @@
 same."""
 
 import os
+import re
 import shutil
 import stat
 import subprocess
@@ -100,6 +101,17 @@ def test_other_compilers_make_libraries_of_their_own(cache: Path, monkeypatch):
         kernels = kernels_of(slider())
         assert kernels.compiled and "-ffp-contract=off" in kernels.compiler
         assert len(list(cache.glob("*.so"))) == number
+
+
+def test_a_level_of_optimization_in_cc_replaces_the_own(cache: Path, compiled: Kernels,
+                                                         monkeypatch):
+    monkeypatch.setenv("CC", f"{COMPILERS[-1]} -O0")
+    kernels = kernels_of(slider())
+    assert kernels.compiled and not re.search("-O[^0]", kernels.compiler)
+    assert same_bits(kernels.double.forward_dynamics(*ARGUMENTS),
+                     compiled.double.forward_dynamics(*ARGUMENTS))
+    monkeypatch.setenv("CC", COMPILERS[-1])
+    assert re.search("-O[12] ", str(compilation.compiler()))
 
 
 def test_other_flags_and_processors_make_libraries_of_their_own(monkeypatch):

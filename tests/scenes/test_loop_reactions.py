@@ -17,6 +17,7 @@ from tests.support.scenes import closed_loops
 from tests.support.scenes.closed_states import CASES, TAU, Closed, V
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 
+SCENES = Path(__file__).parents[2] / "examples/scenes"
 JOINTS = ("root", "shoulder", "elbow", "rail", "cross")
 
 
@@ -101,3 +102,23 @@ def test_reactions_are_recorded(tmp_path: Path) -> None:
         q = result.q[-1][angle]
         upwards += fx * np.sin(q) + fy * np.cos(q)
     assert upwards == pytest.approx(3 * 9.81, rel=1e-7)
+
+
+@pytest.mark.parametrize("name", ["delta", "four_bars"])
+def test_all_closings_are_those_of_single_loops(name: str) -> None:
+    """To the bit in both precisions, with the accelerations, and by little more than their cost."""
+    scene = read_scene(SCENES / f"{name}.toml")
+    loops = [f"closing_{x.name}" for x in scene.model.loops]
+    kernels = load_scene(scene, functions=["forward_dynamics", "closings", *loops])
+    rng = np.random.default_rng(1)
+    for functions, kind in ((kernels.double, np.float64), (kernels.single, np.float32)):
+        q, v, tau = (rng.uniform(-0.3, 0.3, n).astype(kind) for n in (
+            kernels.interface.nq, kernels.interface.nv, kernels.interface.nv))
+        given = [*([0.2] if kernels.interface.timed else []), q, v, tau]
+        a, f = functions.closings(*given)
+        assert f.shape == (len(loops), 6) and np.abs(f).max() > 0
+        assert a.tobytes() == functions.forward_dynamics(*given).tobytes()
+        for own, loop in zip(f, loops, strict=True):
+            assert own.tobytes() == getattr(functions, loop)(*given).tobytes()
+    made = {x.name: len(x.program.instructions) for x in kernels.functions.functions}
+    assert made["closings"] < 1.1 * made["forward_dynamics"]

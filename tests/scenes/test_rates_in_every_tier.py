@@ -20,6 +20,8 @@ from tests.support.scenes.evaluation import MULTIPRECISE, evaluator
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.kinds import Kind
 
+pytestmark = pytest.mark.usefixtures("users_compiler")
+
 NAMES = ("coriolis_matrix", "energy_gradients", "center_of_mass", "center_of_mass_velocity",
          "center_of_mass_jacobian", "centroidal_momentum_matrix", "centroidal_momentum_rate",
          "aligned_jacobian_b1", "aligned_twist_rate_b1", "point_jacobian_b1",

@@ -20,6 +20,8 @@ from tests.support.scenes import mechanisms, runs
 from tests.support.scenes.kinds import Kind
 from tests.support.scenes.selecting import checked
 
+pytestmark = pytest.mark.usefixtures("users_compiler")
+
 SCENES = Path(__file__).parents[2] / "examples/scenes"
 
 # Problem A01 of the library of multibody benchmarks; Brüls and Cardona's heavy top

@@ -14,6 +14,8 @@ from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import CASES, imported
 from tests.support.scenes.scene_values import inputs, same_bits
 
+pytestmark = pytest.mark.usefixtures("users_compiler")
+
 
 @pytest.fixture(scope="module")
 def scenes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[Kernels, ModuleType]]:

@@ -22,6 +22,8 @@ from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.generated_scenes import ARGUMENTS, pendulum, slider
 from tests.support.scenes.scene_values import same_bits
 
+pytestmark = pytest.mark.usefixtures("users_compiler")
+
 LEADS = ((), (0,), (3,), (2, 3))
 by_lead = pytest.mark.parametrize("lead", LEADS, ids=str)
 

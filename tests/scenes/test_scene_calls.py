@@ -20,6 +20,8 @@ from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import ARGUMENTS, slider
 from tests.support.scenes.scene_values import same_bits
 
+pytestmark = pytest.mark.usefixtures("users_compiler")
+
 COUNT = 60
 FLOATING = """
 [bodies]

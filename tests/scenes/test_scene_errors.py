@@ -123,6 +123,8 @@ from tests.support.scenes.reading import MODEL, applied
     ("", "[run]\nduration = 1e-4", "run.step", "longer than the duration"),
     ("", "[run]\nduration = inf", "run.duration", "not finite"),
     ("", "[run]\ndt = 1", "run.dt", "unknown key"),
+    ("", '[run]\nrecord = ["q"]', "run.record", "unknown key; [outputs] has it"),
+    ("", "[outputs]\nduration = 1", "outputs.duration", "unknown key; [run] has it"),
     ("", "[expect]\nq.elbow = { at = 1, value = 1, rtol = 1 }", "expect.q",
      '; keys with a dot take quotes: "q.elbow" = …'),
     ("", "[expect]\n'q' = { at = 1, value = 1, rtol = 1 }", "expect.q", "3 components"),

@@ -25,9 +25,9 @@ from tests.support.scenes.mechanisms import Y, applied, gravity, inertia, scene
 SCENES: dict[str, Scene] = {
     "falling": scene(mechanism(), gravity()),
     "all effects": scene(mechanism(), *effects(*PLACES)), "arm": scene(arm(), *effects(*PLACES))}
-FREE = re.compile(r"(total|solution|speeds|wind|parts|pair_[0-9]+|later|part|[a-z0-9_]+_"
+FREE = re.compile(r"(total|solution|speeds|wind|parts|rows|later|part|[a-z0-9_]+_"
                   rf"({'|'.join(PLACES)}))_[0-9]+|(sin|cos)_[a-z]+[0-9]*")
-"""Names that belong to no link: solutions, wind, pairs, effects, sines of arguments."""
+"""Names that belong to no link: solutions, wind, rows, effects, sines of arguments."""
 
 
 @pytest.fixture(scope="module", params=SCENES)
@@ -162,7 +162,7 @@ def test_headings_are_the_same_whatever_bodies_and_joints_are_called() -> None:
     plain, confusing = headings_of(NAMES), headings_of(CONFUSING)
     bodies = "".join(words for _, result in plain for words in result)
     assert all(x in bodies for x in ("0 column: lift", "joint 'ball'", "total", "speeds",
-                                     "limit at lift", "pairs of bodies"))
+                                     "limit at lift", "forces between bodies"))
     patterns = {f"{n} {NAMES[n]}": f"{n} {CONFUSING[n]}" for n in range(3)}
     patterns |= {f": {x} ": f": {y} " for x, y in zip(NAMES[3:], CONFUSING[3:], strict=True)}
     patterns |= {f"joint {x!r}": f"joint {y!r}"

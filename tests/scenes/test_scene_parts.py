@@ -16,10 +16,10 @@ import pytest
 from coscrew_codegen.backends.scene import scene_c, scene_c_parts
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program import parts as program_parts
 from coscrew_codegen.program.ops import COMPARISONS
-from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.splitting import parts as program_parts
+from coscrew_codegen.program.splitting.parts import Cut, Group, cut
 from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import FMA
 from tests.support.scenes import scene_bits

@@ -17,6 +17,7 @@ from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.runtime import load
 from coscrew_codegen.scene.function_selection import (
     ALL_CONTACTS,
+    BRISTLES,
     CONTACTS,
     FREE,
     LOOPS,
@@ -91,10 +92,10 @@ def test_the_step_is_that_of_the_run(integrator):
 def test_each_function_can_stand_alone(name: str, tmp_path: Path):
     """Nothing else is declared; its text is the same as among all others; it compiles without a
     warning, of unused functions either."""
-    for absent, why in ((FREE, "no base is floating"), (LOOPS, "no loop is closed"),
+    for absent, why in ((FREE, "no base is floating"), ((*LOOPS, "closings"), "no loop is closed"),
                         ((ALL_CONTACTS,), "nothing touches anything"),
                         ((STATE_RATES,), "no effect has states"),
-                        ((SWITCHES,), "no effect has switches")):
+                        ((SWITCHES, BRISTLES), "no effect has switches")):
         if name in absent:
             with pytest.raises(FunctionsError, match=f"arm: there is no {name}: {why}"):
                 derive(arm(name))
@@ -133,7 +134,8 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 def test_all_functions_have_names_and_names_have_functions():
     """The two scenes together have everything that a scene without closed loops, contacts and
     states of effects can have."""
-    result = {*public(arm(*ALL)), *public(flyer(*ALL)), *LOOPS, *OF_STATES, "contacts"}
+    result = {*public(arm(*ALL)), *public(flyer(*ALL)), *LOOPS, *OF_STATES, "bristles",
+              "contacts", "closings"}
     assert result == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < result and "reaction_j2" not in result
 

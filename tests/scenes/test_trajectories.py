@@ -69,7 +69,8 @@ def fifty_digits() -> Iterator[None]:
 def test_the_rate_is_the_derivative() -> None:
     own, h = trajectory("uneven"), mpf(10)**-16
     f = {"number": lambda x: mpf(x.numerator) / x.denominator, "min": min, "max": max,
-         "less": lambda a, b: a < b, "where": lambda test, a, b: a if test else b}
+         "less": lambda a, b: a < b, "where": lambda test, a, b: a if test else b,
+         "gather": lambda column, at: f["number"](column.at(at))}
     for t in map(mpf, ("-0.5", "0.05", "1", "3", "5.4")):
         slope = (own.value(t + h, f) - own.value(t - h, f)) / (2 * h)
         assert abs(slope - own.rate.value(t, f)) < mpf(10)**-28

@@ -9,7 +9,7 @@ export class Clock {
   // has changed.
   constructor(begin, end, samples, changed) {
     Object.assign(this, { begin, end, samples, changed, time: begin, playing: false, last: null,
-                          loops: false });
+                          loops: false, part: null });  // of the time, which is repeated
     this.speed = Number($("speed").value);
     this.digits = Math.min(6, Math.max(2, Math.ceil(2 - Math.log10(end - begin || 1))));
     $("time").min = begin;
@@ -67,7 +67,12 @@ export class Clock {
     if (!this.playing) return;
     if (this.last !== null) this.time += this.speed * (now - this.last) / 1000;
     this.last = now;
-    if (this.time >= this.end && this.loops) this.time = this.begin;
+    if (this.loops) {
+      const { min, max } = this.part ?? { min: this.begin, max: this.end };
+      if (this.time >= Math.min(max, this.end) || this.time < min) {
+        this.time = Math.max(min, this.begin);
+      }
+    }
     if (this.time < this.end) {
       this.show();
       return;

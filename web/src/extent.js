@@ -1,6 +1,7 @@
 // The space that a robot sweeps: its size, its centre at each time, and the points to be framed.
-import { Quaternion, Vector3 } from "three";
+import { Box3, Quaternion, Vector3 } from "three";
 import { tips } from "./arrows.js";
+import { Leaving } from "./leaving.js";
 
 const POINTS = 8000, FEWEST = 24, MOST = 240;  // instants, for so many points in all
 const RISE = 10;  // sizes of the robot, which fit into a picture one above the other
@@ -13,14 +14,20 @@ export class Extent {
     const instants = Math.min(Math.max(POINTS / corners.flat().length, FEWEST), MOST);
     const every = Math.max(1, Math.floor(times.length / instants));
     const still = robot.corners(-1).map(x => x.clone().applyQuaternion(turn));
-    this.low = new Vector3(Infinity, Infinity, Infinity);
-    this.high = this.low.clone().negate();
-    this.size = 0;
-    this.common = { low: this.high.clone(), high: this.low.clone() };  // of the boxes of all times
     this.samples = [];
     for (let sample = 0; sample < times.length; sample += every) this.samples.push(sample);
-    this.sets = this.samples.map(sample => pointsAt(recording.main, corners, sample, turn));
-    this.centres = this.sets.map(points => this.add(points));
+    const bodies = this.samples.map(sample => pointsAt(recording.main, corners, sample, turn));
+    const boxes = bodies.map(at => at.map(points => new Box3().setFromPoints(points)));
+    this.leaving = new Leaving(recording.joints, boxes);
+    const stay = (_, body) => !this.leaving.bodies.has(body);
+    const staying = boxes.map(at => at.filter(stay).reduce((all, x) => all.union(x), new Box3()));
+    const { min: low, max: high } = staying.reduce((all, x) => all.union(x), new Box3());
+    Object.assign(this, { low, high });
+    this.size = Math.max(...staying.map(box => box.getSize(new Vector3()).length()));
+    this.common = staying.reduce((all, box) => all.intersect(box), staying[0].clone());
+    this.centres = staying.map(box => box.getCenter(new Vector3()));
+    this.sets = bodies.map((at, i) => at.filter((points, body) =>
+      stay(points, body) || this.leaving.near(i, boxes[i][body])).flat());
     const swept = this.high.clone().sub(this.low).length();
     this.size = Math.max(this.size, 1e-9);
     this.travels = swept > 1.6 * this.size && !this.stays;
@@ -37,30 +44,13 @@ export class Extent {
     this.times = this.samples.map(sample => times[sample]);
     const arrows = tips(recording, this.size);
     this.samples.forEach((sample, i) => this.sets[i].push(
-      ...arrows(sample).map(x => x.applyQuaternion(turn))));
+      ...arrows(sample).map(x => x.applyQuaternion(turn)).filter(x =>
+        this.leaving.near(i, { min: x, max: x }))));
     this.points = this.framed(still);
   }
 
-  // Count in the points of one instant; returns their centre.
-  add(points) {
-    const low = points[0].clone(), high = points[0].clone();
-    for (const point of points) {
-      low.min(point);
-      high.max(point);
-    }
-    this.low.min(low);
-    this.high.max(high);
-    this.common.low.max(low);
-    this.common.high.min(high);
-    this.size = Math.max(this.size, high.clone().sub(low).length());
-    return low.add(high).multiplyScalar(.5);
-  }
-
   // Whether a place is in the robot's box at all times, as that of a base that stands.
-  get stays() {
-    const { low, high } = this.common;
-    return low.x <= high.x && low.y <= high.y && low.z <= high.z;
-  }
+  get stays() { return !this.common.isEmpty(); }
 
   // All points that must be in the picture: against the centre if the camera follows it.
   framed(still) {
@@ -87,9 +77,10 @@ export class Extent {
   }
 }
 
+// The corners of each body in one sample.
 function pointsAt(run, corners, sample, turn) {
   const pose = { at: new Vector3(), turn: new Quaternion() };
-  return corners.flatMap((points, body) => {
+  return corners.map((points, body) => {
     run.stored(body, sample, pose);
     return points.map(point =>
       point.clone().applyQuaternion(pose.turn).add(pose.at).applyQuaternion(turn));
@@ -97,11 +88,5 @@ function pointsAt(run, corners, sample, turn) {
 }
 
 function spread(points) {
-  if (!points.length) return 0;
-  const low = points[0].clone(), high = points[0].clone();
-  for (const point of points) {
-    low.min(point);
-    high.max(point);
-  }
-  return high.sub(low).length();
+  return points.length ? new Box3().setFromPoints(points).getSize(new Vector3()).length() : 0;
 }

@@ -106,6 +106,7 @@ function heights({ middle, half, points, values, turn }, dark) {
     new LineBasicMaterial({ color: dark ? 0x8fa0b5 : 0x64748b, transparent: true, opacity: .35 }));
   const group = new Group();
   group.add(surface, drawn);
+  group.userData.step = LINE * 2 * half / (points - 1);
   group.quaternion.copy(turn);
   return group;
 }

@@ -5,6 +5,7 @@ import { Clock } from "./clock.js";
 import { Extent } from "./extent.js";
 import { listKeys } from "./keys.js";
 import { labels } from "./labels.js";
+import { Measure } from "./measure.js";
 import { frames, masses, trail } from "./marks.js";
 import { film, save } from "./picture.js";
 import { Plots } from "./plots.js";
@@ -48,7 +49,8 @@ class Player {
       $("without").textContent = "This browser shows no 3D (WebGL), so the bodies are not drawn; "
         + `time and plots work without it. ${error.message}`;
     }
-    this.plots = new Plots(this.recording, time => this.clock.seek(time), () => this.clock.time);
+    this.plots = new Plots(this.recording, time => this.clock.seek(time), () => this.clock.time,
+                           part => { this.clock.part = part; });
     this.listen();
   }
 
@@ -83,6 +85,8 @@ class Player {
     tools.add("Names", "n", false, () => ({
       ...labels(recording, robot, $("labels"), $("space"), stage.camera),
       show: on => { $("labels").hidden = !on; } }), space);
+    this.measure = new Measure(robot, stage, $("length"), size);
+    tools.add("Measure", "d", false, () => this.measure, space);
     tools.add("See-through", "s", false, () => ({ show: on => robot.fade(on) }), space);
     const touch = () => { this.dirty = true; };
     this.tree = new Tree(recording, this.robots, touch);
@@ -96,9 +100,13 @@ class Player {
     tools.menu("View", [
       ["First view", "r", () => this.fit()], ["Along x", "x", () => this.fit(SIDES.x)],
       ["Along y", "y", () => this.fit(SIDES.y)], ["From above", "z", () => this.fit(SIDES.z)],
+      ["Parallel lines", "u", () => this.change("parallel", on => stage.parallel(on))],
+      ["Wireframe", "w", () => this.change("wire", on => this.robots.forEach(x => x.wire(on)))],
       ...document.fullscreenEnabled ? [["Full screen", "e", () => this.fill()]] : [],
       ["Save picture", "p", () => this.save()], ["Keys", "?", () => listKeys(tools.keyed)]]);
-    pointing(recording, robot, stage, this.tree, touch);
+    pointing(recording, robot, stage, this.tree, this.measure, touch);
+    const { step } = stage.ground.userData;
+    $("scale").textContent = `Lines on the ground are ${Number(step.toPrecision(3))} m apart.`;
     stage.controls.addEventListener("change", touch);
     stage.controls.addEventListener("start", () => { this.fitted = false; });
     this.stage = stage;
@@ -111,6 +119,13 @@ class Player {
     this.stage.fit(this.clock.time, (below ? 0 : tools.bottom - stage.top) + ROOM,
                    stage.bottom - (below ? tools.top : bar.top) + ROOM, from);
     Object.assign(this, { from, fitted: true, dirty: true });  // until somebody turns it
+  }
+
+  // Switch what the menu switches.
+  change(name, apply) {
+    this[name] = !this[name];
+    apply(this[name]);
+    this.dirty = true;
   }
 
   // Fill the screen with the picture, or the window again.
@@ -131,7 +146,7 @@ class Player {
     document.addEventListener("keydown", event => {
       const { tagName } = event.target, letter = event.key.length === 1 && event.key !== " ";
       const own = CONTROLS.includes(tagName) && !(letter && tagName !== "SELECT");
-      if (own || $("keys").open) return;
+      if (own || event.target.type === "search" || $("keys").open) return;
       if (this.stage && event.target === $("space") && turning(event, this.stage)) {
         Object.assign(this, { fitted: false, dirty: true });
         return;

@@ -5,6 +5,7 @@ import sheet from "uplot/dist/uPlot.min.css";
 const LINES = ["#2f6fed", "#e5484d", "#2a9d5c", "#c2720c", "#8e4ec6", "#0f97a8", "#d6409f",
                "#7a8a2b", "#64748b", "#b45309", "#0891b2", "#9333ea"];
 const HEIGHT = 168, DASHES = [[7, 3, 2, 3], [5, 4], [2, 3]], CLICK = 4;  // px
+const MANY = 12;  // signals, among which one searches
 
 export const written = x => !Number.isFinite(x) ? "not finite"
   : Math.abs(x) >= 1e5 || x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(3)
@@ -14,15 +15,14 @@ const theme = name => getComputedStyle(document.documentElement).getPropertyValu
 
 // One plot: its figure, a button for each signal with its value, and the curves.
 class Chart {
-  constructor(group, recording, seek, now) {
-    this.group = group;
-    this.recording = recording;
-    this.now = now;
+  // `zoomed` is called with the part of the time that is shown, or with null for all of it.
+  constructor(group, recording, seek, now, zoomed) {
+    Object.assign(this, { group, recording, seek, now, zoomed, buttons: new Map() });
     this.figure = document.createElement("figure");
     this.figure.className = "signals";
     this.caption = document.createElement("figcaption");
     const title = document.createElement("strong");
-    title.textContent = group.unit ? `${group.title}, ${group.unit}` : group.title;
+    title.textContent = group.heading;
     this.caption.append(title);
     this.figure.append(this.caption);
     const labels = [...new Set(group.signals.map(signal => signal.label))];
@@ -31,7 +31,6 @@ class Chart {
     if (others.length) title.append(...others.map(run => this.ghost(run)));
     this.values = new Map();
     for (const label of labels) this.button(label);
-    this.seek = seek;
   }
 
   // The key of a further run.
@@ -64,10 +63,24 @@ class Chart {
       button.setAttribute("aria-pressed", String(shown));
     });
     this.caption.append(button);
+    this.buttons.set(button, [label, ...signals.map(signal => signal.name)]);
   }
 
-  // Draw the curves; the figure is in the page.
-  draw() {
+  // Show the signals alone that are wanted, by their names and labels.
+  find(wanted) {
+    for (const [button, names] of this.buttons) {
+      const hidden = !names.some(wanted), { group } = this;
+      if (button.hidden === hidden) continue;
+      button.hidden = hidden;
+      const shown = !hidden && button.getAttribute("aria-pressed") === "true";
+      group.signals.forEach(({ label }, i) => {
+        if (label === names[0]) this.plot.setSeries(i + 1, { show: shown });
+      });
+    }
+  }
+
+  // Draw the curves in a part of the time, or, by null, all; the figure is in the page.
+  draw(part) {
     const { recording, group } = this;
     const axis = { stroke: theme("--quiet"), font: "11px system-ui", pxAlign: 0,
                    grid: { stroke: theme("--rule"), width: 1 },
@@ -81,8 +94,10 @@ class Chart {
         stroke: this.colour(signal), width: 1.6, label: signal.name, points: { show: false },
         pxAlign: 0, dash: signal.run ? DASHES[signal.run % DASHES.length] : [] }))],
       axes: [{ ...axis, size: 26 }, { ...axis, size: 52 }],
-      hooks: { draw: [plot => this.cursor(plot)] },
+      hooks: { draw: [plot => this.cursor(plot)],
+               setScale: [(plot, key) => key === "x" && this.zoomed(partOf(plot))] },
     }, columns(recording, group), this.figure);
+    if (part) this.plot.setScale("x", part);
     const over = this.plot.over;
     let pressed = 0;
     over.addEventListener("pointerdown", event => { pressed = event.clientX; });
@@ -126,6 +141,11 @@ class Chart {
   }
 }
 
+// The part of the time that a plot shows; null if that is all.
+function partOf({ data: [times], scales: { x: { min, max } } }) {
+  return min <= times[0] && max >= times[times.length - 1] ? null : { min, max };
+}
+
 // Times of all runs, and each signal at them.
 function columns(recording, group) {
   const runs = [...new Set(group.signals.map(signal => signal.run))];
@@ -138,20 +158,30 @@ function columns(recording, group) {
 
 // The plots of the page, chosen by buttons; the first ones are there from the start.
 export class Plots {
-  constructor(recording, seek, now) {
+  // `zoomed` is called with the part of the time that all plots show, or with null for all of it.
+  constructor(recording, seek, now, zoomed) {
     const style = document.createElement("style");
     style.textContent = sheet;
     document.head.prepend(style);
     this.charts = new Map();
-    this.make = group => new Chart(group, recording, seek, now);
+    this.part = null;
+    this.make = group => new Chart(group, recording, seek, now, part => {
+      this.part = part;
+      zoomed(part);
+    });
+    this.wanted = () => true;
+    this.buttons = new Map();
     this.place = document.getElementById("plots");
     const choice = document.getElementById("groups");
+    const signals = recording.groups.flatMap(group => group.signals.filter(x => !x.run));
+    if (signals.length > MANY) choice.append(this.search());
     recording.groups.forEach(group => {
       const button = document.createElement("button");
       button.type = "button";
-      button.textContent = group.unit ? `${group.title}, ${group.unit}` : group.title;
+      button.textContent = group.heading;
       button.addEventListener("click", () => this.toggle(group, button));
       choice.append(button);
+      this.buttons.set(group, button);
       button.setAttribute("aria-pressed", "false");
       if (group.shown) this.toggle(group, button);
     });
@@ -167,10 +197,34 @@ export class Plots {
       const made = this.make(group);
       this.charts.set(group, made);
       this.place.append(made.figure);
-      made.draw();
+      made.draw(this.part);
       made.update();
+      this.find(group);
     }
     this.resize();
+  }
+
+  // The field for a part of the names of the signals to be shown.
+  search() {
+    const field = document.createElement("input");
+    Object.assign(field, { type: "search", placeholder: "Find", id: "find" });
+    field.setAttribute("aria-label", "find signals");
+    field.addEventListener("input", () => {
+      const text = field.value.trim().toLowerCase();
+      this.wanted = name => name.toLowerCase().includes(text);
+      for (const group of this.buttons.keys()) this.find(group);
+    });
+    return field;
+  }
+
+  // Show the group if its heading or a signal is wanted, and in its plot the wanted signals.
+  find(group) {
+    const { wanted } = this, whole = wanted(group.heading), chart = this.charts.get(group);
+    const some = group.signals.some(({ name, label }) => wanted(name) || wanted(label));
+    this.buttons.get(group).hidden = !whole && !some;
+    if (!chart) return;
+    chart.figure.hidden = !whole && !some;
+    chart.find(whole ? () => true : wanted);
   }
 
   resize() { for (const chart of this.charts.values()) chart.resize(); }
@@ -180,8 +234,9 @@ export class Plots {
   // Draw again in other colours.
   restyle() {
     for (const chart of this.charts.values()) {
+      const { part } = this;
       chart.plot.destroy();
-      chart.draw();
+      chart.draw(part);
       chart.update();
     }
   }

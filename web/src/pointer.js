@@ -1,20 +1,22 @@
 // The body under the pointer: it glows, and its name, mass and joint stand beside the pointer.  A
-// click selects it, a double click brings the view to the place.  And keys of the picture.
+// click selects it, or marks the place while one measures; a double click brings the view to it.
+// And keys of the picture.
 import { Raycaster, Vector2 } from "three";
 import { words } from "./tree.js";
 
 const CLICK = 4;  // px that a click moves at most
 
-export function pointing(recording, robot, stage, tree, changed) {
+export function pointing(recording, robot, stage, tree, measure, changed) {
   const tip = document.getElementById("tip"), ray = new Raycaster(), at = new Vector2();
   const canvas = stage.canvas;
   let pressed = [0, 0];
-  const hit = event => {
+  const hit = (event, others = []) => {
     const box = canvas.getBoundingClientRect();
     at.set(2 * (event.clientX - box.left) / box.width - 1,
            1 - 2 * (event.clientY - box.top) / box.height);
     ray.setFromCamera(at, stage.camera);
-    return ray.intersectObjects(robot.bodies.filter(x => x.visible), true)[0];
+    const seen = [...robot.bodies, ...others].filter(x => x.visible);
+    return ray.intersectObjects(seen, true).find(x => x.object.isMesh);
   };
   const bodyOf = found => found ? found.object.parent.userData.body : null;
   const show = body => {
@@ -36,7 +38,9 @@ export function pointing(recording, robot, stage, tree, changed) {
   canvas.addEventListener("pointerdown", event => { pressed = [event.clientX, event.clientY]; });
   canvas.addEventListener("click", event => {
     if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < CLICK) {
-      tree.choose(bodyOf(hit(event)));
+      if (measure.on) measure.mark(hit(event, [robot.world, stage.ground]));
+      else tree.choose(bodyOf(hit(event)));
+      changed();
     }
   });
   canvas.addEventListener("dblclick", event => {

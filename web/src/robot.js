@@ -94,6 +94,9 @@ export class Robot {
     });
   }
 
+  // Draw the edges of all triangles alone, or not.
+  wire(on) { this.group.traverse(({ material }) => { if (material) material.wireframe = on; }); }
+
   // Let everything shine through the bodies, or not.
   fade(on) {
     for (const { material } of this.bodies.flatMap(group => group.children)) {

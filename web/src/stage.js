@@ -13,6 +13,7 @@ export const SIDES = {  // directions from the robot to the camera
 };
 const LIGHT = new Vector3(1.1, -.7, 2.2);
 const LOWEST = .52 * Math.PI;  // polar angle of the camera above the ground
+const LENS = 30, PARALLEL = 1;  // degrees of the picture's height
 const FINEST = 2, COARSEST = .5;  // pixels of the picture for one of the screen
 const SLOW = 90;  // ms for a frame, from which the picture becomes coarser
 
@@ -23,7 +24,7 @@ export class Stage {
     this.extent = extent;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(30, 1, extent.size / 50, extent.size * 60);
+    this.camera = new PerspectiveCamera(LENS, 1, extent.size / 50, extent.size * 60);
     this.camera.up.set(0, 0, 1);
     this.follows = extent.travels;
     this.leader = null;  // the body that the camera follows; null: the robot
@@ -72,11 +73,10 @@ export class Stage {
   }
 
   control() {
-    const { size } = this.extent, controls = new OrbitControls(this.camera, this.canvas);
-    this.controls = controls;
+    const controls = this.controls = new OrbitControls(this.camera, this.canvas);
     controls.enableDamping = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     controls.dampingFactor = .12;
-    controls.minDistance = .15 * size;
+    controls.minDistance = .15 * this.extent.size;
     controls.maxPolarAngle = LOWEST;
     // Without focus the wheel scrolls the page.
     this.canvas.addEventListener("wheel", event => {
@@ -92,6 +92,21 @@ export class Stage {
   stand(on) {
     this.ground.visible = on;
     this.controls.maxPolarAngle = on ? LOWEST : Math.PI;
+  }
+
+  // The distance from which this lens shows as much as the first one does from 1.
+  get away() { return Math.tan(LENS * Math.PI / 360) / Math.tan(this.camera.fov * Math.PI / 360); }
+
+  // Look from so far away that parallel lines hardly meet in the picture, or as before.
+  parallel(on) {
+    const { camera, controls } = this, before = this.away;
+    camera.fov = on ? PARALLEL : LENS;
+    camera.updateProjectionMatrix();
+    const further = this.away / before;
+    controls.minDistance *= further;
+    controls.maxDistance *= further;
+    camera.position.sub(controls.target).multiplyScalar(further).add(controls.target);
+    controls.update();
   }
 
   // Turn the camera about its target, or change its distance.
@@ -116,7 +131,7 @@ export class Stage {
     const top = 1 - 2 * above / height, bottom = 1 - 2 * below / height;
     const target = extent.travels ? new Vector3()
       : extent.low.clone().add(extent.high).multiplyScalar(.5);
-    let distance = 2 * extent.size;
+    let distance = 2 * extent.size * this.away;
     for (let round = 0; round < 16; round++) {
       camera.position.copy(target).addScaledVector(from, distance);
       camera.lookAt(target);
@@ -140,7 +155,7 @@ export class Stage {
     this.now.copy(at);
     camera.position.copy(target).addScaledVector(from, distance).add(at);
     controls.target.copy(target).add(at);
-    controls.maxDistance = Math.max(12 * extent.size, 1.5 * distance);
+    controls.maxDistance = Math.max(12 * extent.size * this.away, 1.5 * distance);
     controls.update();
   }
 
@@ -192,5 +207,11 @@ export class Stage {
     return true;
   }
 
-  render() { this.renderer.render(this.scene, this.camera); }
+  render() {
+    const { camera, controls, extent: { size } } = this;
+    const distance = camera.position.distanceTo(controls.target), near = distance - 30 * size;
+    [camera.near, camera.far] = [Math.max(near, size / 50), distance + 60 * size];
+    camera.updateProjectionMatrix();
+    this.renderer.render(this.scene, camera);
+  }
 }

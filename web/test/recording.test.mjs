@@ -21,15 +21,18 @@ function packed(...arrays) {
 
 const turn = angle => [0, 0, Math.sin(angle / 2), Math.cos(angle / 2)];
 
-// A body that moves along x by `speed` and turns about z, in three samples at 0, 1 and 3 s.
-function recording(speed, angle) {
-  const times = [0, 1, 3], rows = times.map(t => [speed * t, 0, 1, ...turn(angle * t)]);
-  const columns = [0, 1, 2, 3, 4, 5, 6].flatMap(i => rows.map(row => row[i]));
+// Bodies that move along x by their speeds and turn about z, in three samples at 0, 1 and 3 s;
+// without others they slide on the world.
+function recording(speeds, angle, joints = []) {
+  const times = [0, 1, 3], columns = [speeds].flat().flatMap(speed => {
+    const rows = times.map(t => [speed * t, 0, 1, ...turn(angle * t)]);
+    return [0, 1, 2, 3, 4, 5, 6].flatMap(i => rows.map(row => row[i]));
+  });
   const [block, [t, poses, values]] = packed(
     ["f8", Float64Array.from(times)], ["f4", Float32Array.from(columns)],
     ["f4", Float32Array.from([-1, 0, 1])]);
   return new Recording({
-    bodies: [{ name: "a" }], runs: [{ label: "double", shown: true, t, poses }], arrows: [],
+    bodies: [speeds].flat().map(name => ({ name })), joints, runs: [{ label: "double", shown: true, t, poses }], arrows: [],
     contacts: [],
     groups: [{ signals: [{ name: "x", run: 0, base: 5, values }] }] }, block);
 }
@@ -63,12 +66,36 @@ const cube = { corners: body => body < 0 ? [] : [-1, 1].flatMap(x => [-1, 1].fla
   [-1, 1].map(z => new Vector3(x, y, z)))) };
 
 test("what leaves its place travels, and what turns in it does not", () => {
-  const still = new Quaternion();
   assert.equal(new Extent(recording(0, 1), cube, still).travels, false);
   const far = new Extent(recording(10, 0), cube, still);
   assert.equal(far.travels, true);
   assert.ok(Math.abs(far.centre(.5, new Vector3()).x - 5) < 1e-6);
   for (const point of far.points) assert.ok(Math.abs(point.x) <= 1 + 1e-6);
+});
+
+const still = new Quaternion(), reach = points => Math.max(...points.map(x => x.x));
+
+test("what flies off leaves the robot in the picture, and is there while it is near", () => {
+  const gone = new Extent(recording([0, 0, 10], 0, [
+    { parent: -1, child: 0 }, { parent: 0, child: 1 }, { parent: -1, child: 2, slides: true },
+  ]), cube, still);
+  assert.deepEqual([...gone.leaving.bodies], [2]);
+  assert.equal(gone.travels, false);
+  assert.equal(gone.size, Math.hypot(2, 2, 2));
+  assert.ok(reach(gone.points) === 1);  // at 1 s it is 8 m away, and two sizes are 6.9 m
+  const near = new Extent(recording([0, 0, 2], 0, [{ parent: -1, child: 0 },
+    { parent: 0, child: 1 }]), cube, still);
+  assert.deepEqual([...near.leaving.bodies], []);
+  assert.ok(reach(near.points) === 7);
+});
+
+test("the robot travels on, and what stays behind leaves it", () => {
+  const gone = new Extent(recording([0, 10, 10], 0, [{ parent: -1, child: 1, slides: true },
+    { parent: 1, child: 2 }]), cube, still);
+  assert.deepEqual([...gone.leaving.bodies], [0]);
+  assert.equal(gone.travels, true);
+  assert.ok(Math.abs(gone.centre(3, new Vector3()).x - 30) < 1e-5);
+  assert.ok(reach(gone.points) < 1 + 1e-5);
 });
 
 test("up is turned to z", () => {

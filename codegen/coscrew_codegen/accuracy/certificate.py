@@ -1,14 +1,24 @@
-"""Certificates: the bounds of every value of a function over its stated ranges, a line each, as a
-checker of our own rules, which needs only fractions, reads them."""
+"""Certificates: the bounds of every value of a function over its stated ranges, a line each, as
+checkers of our own rules, which need only fractions, read them."""
 
 from collections.abc import Iterator
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.range_proofs import values
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, ValueBounds
-from coscrew_codegen.program import Constant, Input, Operand, Program, Ref
+from coscrew_codegen.accuracy.pair_certificate import CertifiedPairs, NotedCarrier, places
+from coscrew_codegen.accuracy.range_proofs import of_mixture, values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds, above
+from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
+from coscrew_codegen.accuracy.tiers.compensated import Carrying
+from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
+from coscrew_codegen.accuracy.tiers.tier import Tier
+from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
+from coscrew_codegen.program.elementary.sincos_error import ERROR as SINCOS_ERROR
+from coscrew_codegen.program.fixed import fixed_sine
+from coscrew_codegen.program.fixed.fixed_program import FixedProgram
+from coscrew_codegen.program.fixed.fixed_value import FixedValue
+from coscrew_codegen.program.roundoff import RoundedRange
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import Precision
 
@@ -31,19 +41,108 @@ def _lines(function: FunctionProgram, precision: Precision, its: ValueBounds, pr
     yield "# operation, name, operands, largest size, largest error, largest error of its rounding."
     yield "# First: digits and least exponent of the format; error of sine and cosine in ulps."
     yield f"{precision.digits} {precision.least_exponent} {sine}"
-    groups = {x: f"quaternion{n}" for n, each in enumerate(function.ranges.quaternions)
-              for x in each} if function.ranges else {}
+    groups = _groups(function)
     needed = _needed(program, [program.results[k] for k in proved])
     for x in sorted(x for x in needed if isinstance(x, Input)):
-        group = [groups[x]] if x in groups else []
-        yield " ".join(["input", _name(x, program), *group, *_figures(its.of(x))])
+        yield " ".join(["input", _name(x, program), *groups.get(x, ()), *_figures(its.of(x))])
     for step in program.instructions:
         if Ref(step.name) in needed:
             yield " ".join([step.op.value, step.name, *(_name(x, program) for x in step.operands),
                             *_figures(its.by_name[step.name])])
-    places = [f"{a.name}[{k}]" for a in program.outputs for k in range(a.quantity.size)]
+    names = places(program)
     for k in proved:
-        yield f"# {places[k]} is {_name(program.results[k], program)}"
+        yield f"# {names[k]} is {_name(program.results[k], program)}"
+
+
+def of_tier(function: FunctionProgram, tier: Tier, precision: Precision) -> str:
+    """The certificate of the function in a tier of pairs, for the results that have a bound; "" if
+    none has, or if the tier's values are no pairs."""
+    if tier.on_request:
+        if not (function.accuracy and function.accuracy.stated):
+            return ""
+        from coscrew_codegen.accuracy.precision_tuning.choice import (
+            chosen,  # imported on use: few scenes need it
+        )
+        return of_pairs(function, precision, chosen(function.program, function.accuracy).mixture)
+    return of_pairs(function, precision) if precision in tier.pairs else ""
+
+
+def of_pairs(function: FunctionProgram, precision: Precision, mixture: Mixture | None = None
+             ) -> str:
+    """The certificate of the function with all instructions, or those of a mixture, in pairs."""
+    plain, noted = function.program.fine or function.program, list[NotedCarrier]()
+    bounds = of_mixture(plain, function.ranges, precision, mixture)
+    proved = [k for k, x in enumerate(bounds) if isfinite(x.size + x.error)]
+    if not proved or not function.ranges:
+        return ""
+
+    def carrier(program: Program, precision: Precision, how: Carrying) -> NotedCarrier:
+        noted.append(NotedCarrier(program, precision, how))
+        return noted[0]
+
+    emitted = mixed(plain, mixture, carrier) if mixture else in_pairs(plain, precision, carrier)
+    rule = CertifiedPairs(precision, noted[0], emitted, proved, mixture)
+    rule.start(function.ranges.sizes(precision), _groups(function))
+    values(plain, function.ranges, precision, rule)
+    return "\n".join((*_pair_header(function, precision), *rule.lines)) + "\n"
+
+
+def _pair_header(function: FunctionProgram, precision: Precision) -> Iterator[str]:
+    yield f"# {function.name} in pairs of {precision.name} precision: for every value a line as"
+    yield "# without pairs; the last number bounds the error of the numbers that stand for it."
+    yield "# Before and after it, indented: instructions, with the largest size of the result and"
+    yield "# the most that its rounding loses; 'x is what x loses, exact less computed; and which"
+    yield "# numbers' sum is the value.  First: digits and least exponent of the format; error of"
+    yield "# sine and cosine in ulps, and relative error of these as pairs."
+    yield (f"{precision.digits} {precision.least_exponent} {SINCOS.error(precision)} "
+           f"{above(SINCOS_ERROR.error(precision)).hex()}")
+
+
+def of_fixed(function: FunctionProgram, fixed: FixedProgram) -> str:
+    """The certificate of the function in fixed point."""
+    return "\n".join(_fixed_lines(function, fixed)) + "\n"
+
+
+def _fixed_lines(function: FunctionProgram, fixed: FixedProgram) -> Iterator[str]:
+    program = fixed.program
+    yield f"# {function.name} in fixed point: for every value a line with its operation, name,"
+    yield "# operands, bits, largest size, largest error, largest error of its rounding.  A number"
+    yield "# x is the integer x 2^bits; @ states the bits of constants, and of operands that are an"
+    yield "# integer with other bits, thus a multiple.  First: error of sine and cosine, and the"
+    yield "# error more for each quarter turn of the angle."
+    yield " ".join(map(str, fixed_sine.errors()))
+    bits = {_name(x.operand, program): x.bits for each in fixed.inputs for x in each}
+    bits |= {line.name: line.value.bits for line in fixed.lines}
+
+    def word(x: FixedValue) -> str:
+        name = _name(x.operand, program) if not isinstance(x.operand, Constant) else x.stands_for
+        return name if bits.get(name) == x.bits else f"{name}@{x.bits}"
+
+    known = {line.name: line for line in fixed.lines}
+    needed = {word(x).partition("@")[0] for x in fixed.results}
+    for name in reversed(known):
+        if name in needed:
+            needed.update(word(x).partition("@")[0] for x in known[name].operands)
+    for x in (x for each in fixed.inputs for x in each):
+        if (name := _name(x.operand, program)) in needed:
+            yield " ".join(["input", name, str(x.bits), *_figures(x.bounds)])
+    for name, line in known.items():
+        if name in needed:
+            yield " ".join([_WORDS.get(line.op, line.op.value), name, *map(word, line.operands),
+                            str(line.value.bits), *_figures(line.value.bounds)])
+    for place, result in zip(places(program), fixed.results, strict=True):
+        yield f"# {place} is {word(result)}"
+
+
+_WORDS = {Op.WIDE_PRODUCT: "mul", Op.HIGH_PRODUCT: "high", Op.ROUNDED_SHIFT: "shift",
+          Op.MUL: "shift"}
+"""Words for operations on integers; factors of integers are shifts to the left."""
+
+
+def _groups(function: FunctionProgram) -> dict[Operand, tuple[str]]:
+    """The quaternion of each input that belongs to one."""
+    return {x: (f"quaternion{n}",) for n, each in enumerate(function.ranges.quaternions)
+            for x in each} if function.ranges else {}
 
 
 def _needed(program: Program, results: list[Operand]) -> set[Operand]:

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import ceil, frexp, inf, isfinite, ldexp
 
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, above, below
+from coscrew_codegen.accuracy.rounding_rules import above, below
 from coscrew_codegen.program import Constant, Instruction
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.program import scales
-from coscrew_codegen.program.roundoff import Upward
+from coscrew_codegen.program.roundoff import CIRCULAR, RoundedRange, Upward
 from coscrew_codegen.program.values.formats import Precision
 
 
@@ -20,35 +20,50 @@ class FloatRounding:
     statements without stated ranges do."""
 
     def __init__(self, precision: Precision, plain: bool = False) -> None:
-        self._precision, self._plain = precision, plain
-        self._u, self._eta = Upward(precision.u), above(precision.eta)
+        self.precision, self._plain = precision, plain
+        self.u, self.eta = Upward(precision.u), above(precision.eta)
         self._most = float(precision.limit("max"))
         self._normal = float(precision.smallest_normal)
         self._of_sine = above(SINCOS.error(precision))
 
     def constant(self, x: Constant) -> RoundedRange:
         """The exact decimal, and its error and size when rounded."""
-        value = self._precision.value(x)
-        near = abs(float(self._precision.rounded(value)))
+        value = self.precision.value(x)
+        near = abs(float(self.precision.rounded(value)))
         return RoundedRange(above(abs(value)), above(abs(abs(value) - Fraction(near))),
                             self._known(near), below(abs(value)))
 
-    def rounding(self, step: Instruction, before: Upward, operands: Sequence[RoundedRange] = ()
-                 ) -> tuple[Upward, Upward]:
-        """Bounds the error of rounding a number up to `before`, and the rounded number."""
-        if scales(step):
-            return self._eta, self._known(self._up(before) if isfinite(before) else inf)
-        if not before or before > self._most:
-            return Upward(inf if before else 0), before
-        mantissa, exponent = frexp(before)
-        binade = exponent - 1 - (mantissa == 0.5 and not self._plain)
-        return max(Upward(ldexp(self._u, binade)), self._eta), self._known(self._up(before))
+    def operand(self, step: Instruction, place: int, x: RoundedRange) -> RoundedRange:
+        """The operand as it is."""
+        return x
 
-    def function(self, step: Instruction, x: RoundedRange, size: Upward) -> tuple[Upward, Upward]:
-        """Bounds a sine's or cosine's own error and size: up to s, its ulp is at most 2 u s, and at
-        most u; none exceeds 1."""
-        own = max(self._u * min(1.0, 2 * (size + x.error)), Upward(2 * self._eta))
-        return self._of_sine * own, self._known(1.0)
+    def rounded(self, step: Instruction, before: RoundedRange, operands: Sequence[RoundedRange]
+                ) -> RoundedRange:
+        """A sum, product or quotient rounded to nearest, or a sine or cosine."""
+        if step.op in CIRCULAR:
+            return before.rounded(self.of_circular(before.size, operands[0]), self._known(1.0))
+        return before.rounded(*self.nearest(
+            min(before.size + before.error, before.computed), scales(step)))
+
+    def result(self, x: RoundedRange) -> RoundedRange:
+        """The result as it is."""
+        return x
+
+    def nearest(self, top: Upward, exact: bool = False) -> tuple[Upward, Upward]:
+        """Bounds the error of rounding a number up to `top`, and the rounded number; a product with
+        a power of two is `exact` barring underflow."""
+        if exact:
+            return self.eta, self._known(self._up(top) if isfinite(top) else inf)
+        if not top or top > self._most:
+            return Upward(inf if top else 0), top
+        mantissa, exponent = frexp(top)
+        binade = exponent - 1 - (mantissa == 0.5 and not self._plain)
+        return max(Upward(ldexp(self.u, binade)), self.eta), self._known(self._up(top))
+
+    def of_circular(self, size: Upward, x: RoundedRange) -> Upward:
+        """Bounds the own error of a sine or cosine up to `size` of x̂: up to s, its ulp is at most
+        2 u s, and at most u."""
+        return self._of_sine * max(self.u * min(1.0, 2 * (size + x.error)), 2 * self.eta)
 
     def _known(self, size: float) -> Upward:
         return Upward(inf if self._plain else size)
@@ -56,7 +71,7 @@ class FloatRounding:
     def _up(self, x: Upward) -> float:
         """The least number of the precision that is not below, subnormal ones apart."""
         if x < self._normal:
-            return x + 2 * self._eta
+            return x + 2 * self.eta
         mantissa, exponent = frexp(x)
-        digits = self._precision.digits
+        digits = self.precision.digits
         return ldexp(ceil(ldexp(mantissa, digits)), exponent - digits)

@@ -1,158 +1,120 @@
 """Rule by which pairs hi + lo round, for the bounds of a plain Program's values where all or some
 instructions are carried in pairs (tiers pairs, accurate in double precision, mixed).
 
-For each pair a bound L of |lo| is known: 0 for arguments.  All lo are sums of few terms, each
-computed with one rounding, which errs by at most u times the sum of their sizes.
+Of each pair hi + lo bounds of |hi| and |lo| are known; lo = 0 for arguments.  An operand that has
+a lo may be normalized: then |hi| grows by at most |lo|, |lo| by half, the error of rounding a
+number of this size, and hi + lo changes by at most 2 u |lo|.  T and L are the bounds with this, and
 
-    sum      the rests of both operands are at most r + u (B + r) each, for r the rounding of hi and
-             B the second operand's size; L is the sum of these and of the operands' L.  At most
-             four additions and two rests are rounded: 8 u L
-    product  operands are normalized first, if at all: that changes a pair by at most 2 u L, and
-             leaves L = rounding of hi + 2 u L.  lo is the product's own rounding r and a_lo b + a
-             b_lo; a_lo b_lo is left out: La Lb + 4 u L
-    sine     of an exact argument: L is its error in ulps, and the pair's error relative
+    cross = La + Lb of a sum; Ta Lb + La Tb + La Lb of a product; (La + Ta Lb / d) / d of a
+            quotient, where the divisor's hi is at least d = least - error - Lb
 
-An instruction that is not carried has L = 0.  Operands that don't take part as hi + lo are rounded;
-others add a_lo b + a b_lo, or a_lo and b_lo, to the rounded result, which is rounded again."""
+bounds what the lo of operands contribute.  For hi rounded with the error half, of a number up to m
+= Ta + Tb, Ta Tb or Ta / d:
+
+    in pairs  L = 3 half + 2 u m + cross: the rests of both operands of a sum are at most half +
+              u (Tb + half) each.  lo is the sum of few terms, each computed with one rounding: 8
+              u L.  Left out are a_lo b_lo of a product: La Lb, and lo times b_lo / b of a quotient
+    single    hi plus the operands' contributions, rounded again: half of their sum, 8 u cross, and
+              what is left out; just half if no operand has a lo
+    sine      in pairs, of an exact argument: L is its error in ulps, and the pair's error relative.
+              Of hi + lo: s c_lo + c s_lo in pairs, s and c those of hi: L <= 24 u, an error of
+              at most 400 u², and 8 times the relative error
+
+An operand that an instruction does not take as hi + lo is rounded before: half."""
 
 from collections.abc import Sequence
-from math import frexp, inf, ldexp
+from fractions import Fraction
 
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, above, below
+from coscrew_codegen.accuracy.float_rounding import FloatRounding
+from coscrew_codegen.accuracy.rounding_rules import above, below
 from coscrew_codegen.accuracy.tiers.compensated import rest_of, rounded_constant
 from coscrew_codegen.accuracy.tiers.mixed import Mixture
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
+from coscrew_codegen.program import Constant, Instruction, Op
 from coscrew_codegen.program.elementary.sincos_error import ERROR as SINCOS_ERROR
-from coscrew_codegen.program.roundoff import Upward
+from coscrew_codegen.program.program import scales
+from coscrew_codegen.program.roundoff import CIRCULAR, NONE, RoundedRange, Upward, down
 from coscrew_codegen.program.values.formats import Precision
 
 _MORE = Upward(1 + 2.0**-10)  # above (1 + u)^k for all k here
 
 
-class PairRounding:
+class PairRounding(FloatRounding):
     """The rule of a precision for a program whose instructions are all carried in pairs or, with a
     mixture, those that it names."""
 
-    def __init__(self, program: Program, precision: Precision, mixture: Mixture | None = None
-                 ) -> None:
-        self._precision, self._mixture = precision, mixture
-        self._u, self._eta = above(precision.u), above(precision.eta)
-        self._most = float(precision.limit("max"))
-        self._ulps = above(SINCOS.error(precision))
+    def __init__(self, precision: Precision, mixture: Mixture | None = None) -> None:
+        super().__init__(precision)
+        self._mixture = mixture
         self._relative = above(SINCOS_ERROR.error(precision))
-        self._negated = {step.name: step.operands[0] for step in program.instructions
-                         if step.op is Op.NEG}
-        self._lows: dict[str, Upward] = {}
-
-    def low(self, x: Operand) -> Upward:
-        """L of an operand."""
-        if isinstance(x, Constant):
-            rest = rest_of(x, self._precision)
-            return above(abs(rest.double)) if rest else Upward(0)
-        if isinstance(x, Ref):
-            other = self._negated.get(x.name)
-            return self._lows[x.name] if other is None else self.low(other)
-        return Upward(0)
-
-    def final(self, x: Operand, bounds: RoundedRange) -> Upward:
-        """The error of a result, hi + lo rounded."""
-        return bounds.error + self._half(bounds.size + bounds.error) if self.low(x) \
-            else bounds.error
 
     def constant(self, x: Constant) -> RoundedRange:
         """A constant as hi + lo."""
-        value = self._precision.value(x)
-        rest = rest_of(x, self._precision)
-        kept = rounded_constant(x, self._precision).double + (rest.double if rest else 0)
-        return RoundedRange(above(abs(value)), above(abs(value - kept)), low=below(abs(value)))
+        value, hi = self.precision.value(x), rounded_constant(x, self.precision).double
+        rest = rest_of(x, self.precision)
+        lo = rest.double if rest else Fraction(0)
+        return RoundedRange(above(abs(value)), above(abs(value - hi - lo)), above(abs(hi)),
+                            below(abs(value)), above(abs(lo)))
 
-    def rounding(self, step: Instruction, before: Upward, operands: Sequence[RoundedRange]
-                 ) -> tuple[Upward, Upward]:
-        """Bounds the error that a carried or single sum or product adds."""
-        if step.op is Op.DIV or before > self._most:
-            self._lows[step.name] = Upward(inf)
-            return Upward(inf), Upward(inf)
-        sizes = [x.size + x.error + self.low(y)
-                 for x, y in zip(operands, step.operands, strict=True)]
-        if self._carried(step):
-            of = self._product if step.op is Op.MUL else self._sum
-            own, self._lows[step.name] = of(step, sizes)
+    def operand(self, step: Instruction, place: int, x: RoundedRange) -> RoundedRange:
+        """The operand as hi + lo, or rounded."""
+        if not x.low or self.carries(step) or (step.name, place) in self._kept:
+            return x
+        of = step.operands[place]
+        return super().constant(of) if isinstance(of, Constant) else self.result(x)
+
+    def rounded(self, step: Instruction, before: RoundedRange, operands: Sequence[RoundedRange]
+                ) -> RoundedRange:
+        """A result that is a pair, or a single number."""
+        if step.op in CIRCULAR:
+            return self._turned(step, before, *operands)
+        (a, p), (b, q) = map(self._factor, operands)
+        left = down(operands[1].least, operands[1].error, q)
+        if step.op is Op.MUL:
+            most, cross = a * b, a * q + p * b + p * q
+        elif step.op is Op.DIV:
+            most, cross = a / left, (p + a * q / left) / left
         else:
-            own, self._lows[step.name] = self._single(step, sizes), Upward(0)
-        return own, Upward(inf)
+            most, cross = a + b, p + q
+        half, stored = self.nearest(min(before.size + before.error + cross, most), scales(step))
+        rests = half if step.op in (Op.MUL, Op.DIV) else Upward(2) * (half + self.u * b)
+        low = (rests + cross) * _MORE + self.eta
+        lost = p * q if step.op is Op.MUL else low * q / left if step.op is Op.DIV else NONE
+        tiny = self.eta + self.eta / left if step.op is Op.DIV else self.eta
+        if self.carries(step):
+            own = lost + Upward(8) * (self.u * low + tiny)
+            result = before.rounded(own, stored, low)
+            return result._replace(computed=min(stored, result.size + result.error + low))
+        if cross:
+            again, stored = self.nearest((stored + cross) * _MORE)
+            half = half + again + lost + Upward(8) * (self.u * cross + tiny)
+        return before.rounded(half, stored)
 
-    def function(self, step: Instruction, x: RoundedRange, size: Upward) -> tuple[Upward, Upward]:
-        """Bounds the error of a sine or cosine of an argument, or of a single one of any value."""
-        known = isinstance(step.operands[0], Input)
-        ulps = self._ulps * max(self._u * min(1.0, 2 * (size + x.error)), self._eta + self._eta)
-        if not self._carried(step):
-            self._lows[step.name] = Upward(0)
-            turned = Upward(0) if known else self._half(x.size + x.error + self.low(
-                step.operands[0]))
-            return ulps + turned, Upward(inf)
-        self._lows[step.name] = ulps * _MORE if known else Upward(inf)
-        return (self._relative * size + self._eta + self._eta if known else Upward(inf)), Upward(
-            inf)
+    def result(self, x: RoundedRange) -> RoundedRange:
+        """hi + lo rounded."""
+        return x.rounded(*self.nearest(x.size + x.error)) if x.low else x
 
-    def _carried(self, step: Instruction) -> bool:
+    def carries(self, step: Instruction) -> bool:
+        """Returns whether the instruction's result is a pair."""
         return self._mixture is None or step.name in self._mixture.paired
 
-    def _half(self, size: Upward) -> Upward:
-        """Bounds the rounding error of a number up to this size."""
-        if not size or size > self._most:
-            return Upward(inf if size else 0)
-        return max(Upward(ldexp(self._u, frexp(size)[1] - 1)), self._eta)
+    @property
+    def _kept(self) -> frozenset[tuple[str, int]]:
+        return self._mixture.kept if self._mixture else frozenset()
 
-    def _sum(self, step: Instruction, sizes: Sequence[Upward]) -> tuple[Upward, Upward]:
-        a, b = sizes
-        own = self._half(a + b)
-        rest = own + self._u * (b + own)
-        low = (rest + rest + self.low(step.operands[0]) + self.low(step.operands[1])) * _MORE
-        return Upward(8) * (self._u * low + self._eta), low
+    def _factor(self, x: RoundedRange) -> tuple[Upward, Upward]:
+        """Bounds of hi and lo of an operand that may have been normalized."""
+        if not x.low:
+            return x.computed, x.low
+        hi = (x.computed + x.low) * _MORE
+        return hi, max(x.low, self.nearest(hi)[0] + Upward(2) * self.u * x.low)
 
-    def _product(self, step: Instruction, sizes: Sequence[Upward]) -> tuple[Upward, Upward]:
-        moved, (a, b) = self._normalized(step, sizes)
-        cross = (a * sizes[1] + sizes[0] * b) * _MORE
-        own = self._half(sizes[0] * sizes[1] * _MORE)
-        low = (own + cross) * _MORE + self._eta
-        return moved + a * b + Upward(4) * (self._u * low) + Upward(8) * self._eta, low
-
-    def _normalized(self, step: Instruction, sizes: Sequence[Upward]
-                    ) -> tuple[Upward, list[Upward]]:
-        """Bounds the change of a product by the normalization of its operands, and their L after
-        it or without it."""
-        moves, lows = [], []
-        for x, size in zip(step.operands, sizes, strict=True):
-            low = self.low(x)
-            moves.append(Upward(2) * self._u * low)
-            lows.append(max(low, self._half(size * _MORE) + moves[-1]) if low else low)
-        (a, b), (p, q) = sizes, moves
-        return p * b * _MORE + a * q * _MORE, lows
-
-    def _single(self, step: Instruction, sizes: Sequence[Upward]) -> Upward:
-        """The error that is added by an instruction with one result."""
-        assert self._mixture
-        kept = [(step.name, place) in self._mixture.kept for place in range(2)]
-        rounded = [Upward(0) if whole else self._dropped(x, size)
-                   for whole, x, size in zip(kept, step.operands, sizes, strict=True)]
-        (a, b), (p, q) = sizes, rounded
-        if step.op is Op.MUL:
-            moved, lows = self._normalized(step, sizes)
-            lows = [low if whole else Upward(0) for low, whole in zip(lows, kept, strict=True)]
-            own, cross = p * b + a * q + p * q, (lows[0] * b + a * lows[1]) * _MORE
-            size, more = a * b, moved + lows[0] * lows[1]
-        else:
-            lows = [self.low(x) if whole else Upward(0)
-                    for x, whole in zip(step.operands, kept, strict=True)]
-            own, cross, size, more = p + q, (lows[0] + lows[1]) * _MORE, a + b, Upward(0)
-        last = self._half((size + own) * _MORE)
-        if any(lows):
-            again = self._half((size + own + last + cross) * _MORE)
-            own += more + again + Upward(4) * (self._u * cross + self._eta)
-        return own + last
-
-    def _dropped(self, x: Operand, size: Upward) -> Upward:
-        """Bounds the error of an operand that is rounded to a single number."""
-        low = self.low(x)
-        return low if isinstance(x, Constant) or not low else self._half(size)
+    def _turned(self, step: Instruction, before: RoundedRange, x: RoundedRange) -> RoundedRange:
+        one, ulps = Upward(1), self.of_circular(before.size, x)
+        if not self.carries(step):
+            return before.rounded(ulps, one)
+        if not x.low:
+            size = min(one, before.size + before.error)
+            return before.rounded(self._relative * size + self.eta + self.eta, one, ulps * _MORE)
+        moved = Upward(2) * self.u * self._factor(x)[1]
+        own = Upward(400) * self.u * self.u + moved + Upward(8) * (self._relative + self.eta)
+        return before.rounded(own, one, Upward(24) * self.u)

@@ -62,7 +62,5 @@ def of_mixture(program: Program, ranges: ArgumentRanges | None, precision: Preci
     pairs."""
     from coscrew_codegen.accuracy.pair_rounding import PairRounding  # with it come all tiers
 
-    rule = PairRounding(program, precision, mixture)
-    inside = values(program, ranges, precision, rule)
-    return tuple(ResultBound(x.size, rule.final(y, x))
-                 for x, y in zip(inside.results, program.results, strict=True))
+    inside = values(program, ranges, precision, PairRounding(precision, mixture))
+    return tuple(ResultBound(x.size, x.error) for x in inside.results)

@@ -23,6 +23,7 @@ from coscrew_codegen.program import (
     sine_cosine_pairs,
 )
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
+from coscrew_codegen.program.tables import TableColumn
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 """Precedences; the last: of function calls and names."""
@@ -172,6 +173,8 @@ class Nesting:
             return f"({text})" if text.startswith("-") and needed > SIGN else text
         if isinstance(operand, NotANumber):
             return self.language.not_a_number
+        if isinstance(operand, TableColumn):
+            return ""  # the spelling names it
         if operand.name not in self._waiting:
             return operand.name
         _, text, precedence = self._waiting[operand.name]

@@ -28,8 +28,10 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
             if target.generated and target.scene]
     made += [(target.name, target.tier(tier, banner)) for tier in tiers_of(functions)
              for target in targets() if target.generated and target.tier]
-    made += [(target.name, target.fixed(fixed, banner)) for fixed in fixed_of(functions)
-             for target in targets() if target.generated and target.fixed]
+    for fixed in fixed_of(functions):
+        made += [(target.name, files(fixed, banner)) for target in targets() for files, wanted in (
+            (target.fixed, target.generated), (target.many_fixed, many), (target.cuda_fixed, cuda))
+            if files and wanted]
     made += [(target.name, target.many(functions, banner)) for target in targets()
              if many and target.many]
     made += [(target.name, target.many_tier(tier, banner)) for tier in tiers_of(functions)

@@ -29,6 +29,8 @@ class Target:
     fixed: Callable[[FixedScene, str], Files] | None = None  # of a scene in fixed point
     many: Callable[[SceneFunctions, str], Files] | None = None  # of its functions of many states
     many_tier: Callable[[SceneTier, str], Files] | None = None  # the same in a tier
+    many_fixed: Callable[[FixedScene, str], Files] | None = None  # the same in fixed point
     cuda: Callable[[SceneFunctions, str], Files] | None = None  # of its functions for CUDA
     cuda_tier: Callable[[SceneTier, str], Files] | None = None  # the same in a tier
+    cuda_fixed: Callable[[FixedScene, str], Files] | None = None  # the same in fixed point
     generated: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does

@@ -37,11 +37,17 @@ def tree_for(scene: Scene) -> Tree:
     return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
 
 
-class Derivation:
-    """Records the functions of a scene one by one, each from its inputs."""
+Keep = Callable[[str, Callable[[], FunctionProgram]], FunctionProgram]
+"""Returns the function of this name, which it has kept or has made."""
 
-    def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
-        self.scene, self.tree, self.tell = scene, tree_for(scene), tell
+
+class Derivation:
+    """Records the functions of a scene one by one, each from its inputs.  `tell` is called with the
+    name of each before it is recorded, unless `keep` has it."""
+
+    def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None,
+                 keep: Keep = lambda name, make: make()):
+        self.scene, self.tree, self.tell, self.keep = scene, tree_for(scene), tell, keep
         self.bodies = {body.name: str(n) for n, body in enumerate(scene.model.bodies)}
         self.names = tuple(self.bodies[link.name] for link in self.tree.links)
         self.kinds: tuple[str, ...] = tuple(c.kind for c in self.tree.coordinates)
@@ -81,8 +87,10 @@ class Derivation:
                 return self.tree.nq + count_of(states_of(self.scene))
             case AxisLength.NV:
                 return self.tree.nv
+            case AxisLength.DISPLACEMENTS:
+                return self.tree.nv + count_of(states_of(self.scene))
             case AxisLength.STATE:
-                return 2 * self.tree.nv
+                return 2 * self.tree.nv + count_of(states_of(self.scene))
             case AxisLength.BODIES:
                 return len(self.bodies)
             case AxisLength.PARAMETERS:
@@ -93,6 +101,8 @@ class Derivation:
                 return len(self.linear.names)
             case AxisLength.BASE:
                 return len(self.linear.base.places)
+            case AxisLength.LOOPS:
+                return len(self.scene.model.loops)
             case AxisLength.ROWS:
                 return sum(x.kind.count for x in self.scene.model.loops)
             case AxisLength.CONTACTS:
@@ -108,8 +118,7 @@ class Derivation:
     def made(self, entry: SceneFunction) -> FunctionProgram:
         """The function, recorded once."""
         if entry.name not in self._made:
-            self.tell(entry.name)
-            self._made[entry.name] = self._derived(entry)
+            self._made[entry.name] = self.keep(entry.name, lambda: self._derived(entry))
         return self._made[entry.name]
 
     def program(self, entry: SceneFunction) -> Program:
@@ -147,6 +156,7 @@ class Derivation:
 
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""
+        self.tell(entry.name)
         scene, given = self.scene, [self._argument(x) for x in inputs_of(entry, self.scene)]
         program = self._recorded(entry, given)
         words = entry.words_in(self) if entry.words_in else entry.words
@@ -196,6 +206,7 @@ class Derivation:
         outputs = [self._argument(x) for x in entry.outputs]
         _fit(entry.name, outputs, results)
         program = recorder.program(entry.name, list(zip(outputs, results, strict=True)))
+        recorder.end()
         for step in program.instructions:
             if step.op is Op.DIV and _is_zero(step.operands[1]):
                 raise self._division(entry, step.component.rpartition(":")[0])

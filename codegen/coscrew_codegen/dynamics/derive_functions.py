@@ -6,7 +6,7 @@ from dataclasses import replace
 from coscrew_codegen.accuracy.scene_tiers import stated
 from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.dynamics.derivation import Derivation
+from coscrew_codegen.dynamics.derivation import Derivation, Keep
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
 from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
 from coscrew_codegen.dynamics.ranges.argument_ranges import argument_ranges
@@ -29,9 +29,11 @@ from coscrew_codegen.scene.scene_function import SceneFunction
 
 
 def derive(scene: Scene, functions: Collection[str] = (),
-           tell: Callable[[str], None] = lambda name: None) -> SceneFunctions:
+           tell: Callable[[str], None] = lambda name: None,
+           keep: Keep = lambda name, make: make()) -> SceneFunctions:
     """Derives the functions that a scene selects, or its functions of these names, and the internal
-    functions that their steps call.  `tell` is called with each name before it is derived.
+    functions that their steps call.  `tell` is called with each name before it is derived, unless
+    `keep` has it.
 
     Raises RangeError for numbers that one of its precisions cannot represent, ModelError if a
     function divides by zero whatever q is, FunctionsError for functions that the scene lacks, and
@@ -41,7 +43,7 @@ def derive(scene: Scene, functions: Collection[str] = (),
     refuse_singular(scene, functions)
     refuse_loops(scene, functions)
     with uncollected():
-        return _functions(Derivation(scene, tell), functions)
+        return _functions(Derivation(scene, tell, keep), functions)
 
 
 def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:

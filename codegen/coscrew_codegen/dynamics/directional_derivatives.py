@@ -1,7 +1,8 @@
 """Derivatives of a scene's functions along one direction, and of one weighted sum of their results.
 
 Directions of coordinates are velocities: the derivatives are those of q ⊕ φ.  Directions and
-weights of results that are coordinates are velocities, too."""
+weights of results that are coordinates are velocities, too.  Those of effects' states, the end of
+q, stand behind them."""
 
 from collections.abc import Sequence
 
@@ -88,7 +89,7 @@ def _along(x: FunctionRecording, a: Array, numbers: Numbers, slopes: Numbers) ->
         return slopes
     zero = x.recorder.number(0)
     with x.recorder.part("chart", a.name):
-        rows = coordinates.chart(_at(x, numbers))
+        rows = coordinates.chart(_at(x, numbers), states=True)
         return [_product(slopes, [zero if y is None else y for y in column])
                 for column in zip(*rows, strict=True)]
 

@@ -11,7 +11,7 @@ With closed loops, at these a and λ, `closed_derivatives` adds what the rows ch
 
 from collections.abc import Sequence
 
-from coscrew_codegen.algebra.recording.numbers import Number, add, negative, subtract
+from coscrew_codegen.algebra.recording.numbers import Number, add, subtract
 from coscrew_codegen.dynamics.algorithms import crba, rnea_derivatives
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored_from_leaves
 from coscrew_codegen.dynamics.forces import effect_derivatives
@@ -46,8 +46,9 @@ def of_forward(x: FunctionRecording) -> tuple[Matrix, ...]:
         return closed_derivatives.of_forward(x, motion, a, M, of_inverse)
     dq, dv, mass = of_inverse(x, a)
     M = factored_from_leaves(mass)
-    return (*(_columns([M.solve(negative(column)) for column in zip(*A, strict=True)])
-              for A in (dq, dv)), M.inverse())
+    solutions = M.solve_columns({f"{n}_of_{name}": column for name, A in (("dq", dq), ("dv", dv))
+                                 for n, column in enumerate(zip(*A, strict=True))})
+    return _rows(solutions[:len(dq)]), _rows(solutions[len(dq):]), M.inverse()
 
 
 def _forces(x: FunctionRecording) -> bool:
@@ -62,6 +63,6 @@ def _sum(A: Matrix, B: Matrix) -> Matrix:
     return [list(add(a, b)) for a, b in zip(A, B, strict=True)]
 
 
-def _columns(columns: Sequence[Sequence[Number]]) -> Matrix:
-    """The matrix with these columns."""
+def _rows(columns: Sequence[Sequence[Number]]) -> Matrix:
+    """The rows of a matrix with these columns."""
     return [list(row) for row in zip(*columns, strict=True)]

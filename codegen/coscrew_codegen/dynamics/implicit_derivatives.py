@@ -23,10 +23,10 @@ from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics import gradients
 from coscrew_codegen.dynamics.algorithms import energies, forward, kicks, rnea_derivatives
 from coscrew_codegen.dynamics.algorithms.linear_systems import LeafFactors, factored_from_leaves
-from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces import effect_derivatives
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_derivatives import Delays, differentiated
+from coscrew_codegen.dynamics.forces.soft_rows import Weights
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual

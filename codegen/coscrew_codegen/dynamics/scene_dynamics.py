@@ -85,8 +85,6 @@ class RecordedDynamics:
         """Numbers of the scene."""
         return tuple(map(self.number, values))
 
-    # frames
-
     @cached_property
     def _still(self) -> Motion:
         """Frames and velocities, without gravity, which takes masses."""
@@ -139,8 +137,6 @@ class RecordedDynamics:
     def _numbers(self) -> dict[str, str]:
         """The numbers of bodies, which name their values."""
         return {body.name: str(n) for n, body in enumerate(self.scene.model.bodies)}
-
-    # dynamics
 
     @cached_property
     def _acting(self) -> AppliedEffects:
@@ -245,6 +241,10 @@ class RecordedDynamics:
         """The power of the effects without potential energy."""
         return self._acting.power()
 
+    def bristles(self) -> Results:
+        """The energy of bristles, and the power of their effects."""
+        return effect_states.bristles(self._recording)
+
     def momentum(self) -> Numbers:
         """(p; L) about the world's origin."""
         return energies.momentum(self._recording, self._motion)
@@ -299,10 +299,10 @@ class RecordedDynamics:
         its = closures(self._still, self.scene.model.loops)
         return [[y for x in its for y in x.phi], _by_rows([y for x in its for y in x.rows])]
 
-    def closing_wrench(self, loop: str) -> Numbers:
-        """(force; moment) on a loop's first body, in its frame, at the loop's point."""
-        rows, constrained = self._constrained()
-        return demands.wrench(rows, constrained.multipliers, loop)
+    def closings(self, *loops: str) -> Results:
+        """The accelerations; (force; moment) on the first body of each of these loops."""
+        rows, its = self._constrained()
+        return [its.a, [y for x in loops for y in demands.wrench(rows, its.multipliers, x)]]
 
     def with_closed_loops(self) -> Results:
         """q and v moved onto the closures."""

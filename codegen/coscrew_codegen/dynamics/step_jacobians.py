@@ -9,7 +9,8 @@ is two of them:
     a' = f(q, v),   a = f(q, v + h/2 a'),   ∂a = J_q ∂q + J_v (∂v + h/2 ∂a') + J_tau ∂tau.
 
 Accelerations that are implicit in damping and stiffness at joints have derivatives by the rule of
-implicit functions.  All others, and all other functions, are differentiated as Programs."""
+implicit functions.  All others, those of scenes whose effects have states, and all other functions,
+are differentiated as Programs."""
 
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
@@ -25,6 +26,7 @@ from coscrew_codegen.dynamics.inlined_steps import taken
 from coscrew_codegen.program import Input, Program
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.scene.effect_quantities import count_of, states_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.scene_function import Results, SceneFunction
 
@@ -49,7 +51,8 @@ class OtherFunctions(Protocol):
 
 
 def of_step(x: FunctionRecording, step: SceneFunction, others: OtherFunctions) -> Results:
-    """q, v, and the derivatives of both by q and v, by tau and by p, row by row."""
+    """q, v, and the derivatives of both by q and v, by tau and by p, row by row; those of effects'
+    states stand behind those of velocities by q."""
     given = inputs_of(step, x.scene)
     widths = {name: _width(x, name) for name in BY if any(a.name == name for a in given)}
     still: tuple[Number | None, ...] = (None,) * sum(widths.values())
@@ -58,7 +61,7 @@ def of_step(x: FunctionRecording, step: SceneFunction, others: OtherFunctions) -
                       Dual(x.recorder.number(0), still), _Chain(x, others).evaluate)
         columns = [[*_velocities(x, known["q"], k), *_slopes(x, known["v"], k)]
                    for k in range(len(still))]
-    size = 2 * x.tree.nv
+    size = widths["q"] + widths["v"]
     parts = pairwise((0, *accumulate((size, *list(widths.values())[2:]))))
     return [*([y.value for y in known[name]] for name in "qv"),
             *([column[i] for i in range(size) for column in columns[a:b]] for a, b in parts)]
@@ -66,6 +69,8 @@ def of_step(x: FunctionRecording, step: SceneFunction, others: OtherFunctions) -
 
 def _width(x: FunctionRecording, name: str) -> int:
     """The number of directions by an input."""
+    if name == "q":
+        return x.tree.nv + count_of(states_of(x.scene))
     return len(x.scene.parameters) if name == "p" else x.tree.nv
 
 
@@ -75,8 +80,10 @@ def _seeded(x: FunctionRecording, name: str, widths: dict[str, int]) -> Duals:
     if name not in widths:
         return [Dual(n, (None,) * count) for n in numbers]
     one, width = x.recorder.number(1), widths[name]
-    rows = coordinates.chart(x.motion(moving=False, accelerating=False)) if name == "q" else [
-        [one if i == j else None for j in range(width)] for i in range(width)]
+    rows: list[list[Number | None]]
+    rows = [[one if i == j else None for j in range(width)] for i in range(width)]
+    if name == "q":
+        rows = coordinates.chart(x.motion(moving=False, accelerating=False), states=True)
     before = sum(w for other, w in widths.items() if BY.index(other) < BY.index(name))
     return [Dual(n, (*[None] * before, *row, *[None] * (count - before - width)))
             for n, row in zip(numbers, rows, strict=True)]
@@ -90,7 +97,7 @@ def _slopes(x: FunctionRecording, y: Duals, k: int) -> list[Number]:
 def _velocities(x: FunctionRecording, q: Duals, k: int) -> list[Number]:
     """The velocities at which coordinates change along a direction."""
     if all(dual.slopes[k] is None for dual in q):
-        return [x.recorder.number(0)] * x.tree.nv
+        return [x.recorder.number(0)] * _width(x, "q")
     return coordinates.velocities(x.recorder, x.tree, x.names, [dual.value for dual in q],
                                   _slopes(x, q, k))
 
@@ -105,7 +112,7 @@ class _Chain:
         """The components of the results."""
         name = function.name.removesuffix("_tau")
         slopes = None
-        if name in (_EXPLICIT, _IMPLICIT, _KICK):
+        if name in (_EXPLICIT, _IMPLICIT, _KICK) and not states_of(self.x.scene):
             inputs = {a.name: y for a, y in zip(function.program.inputs, given, strict=True)}
             if name == _EXPLICIT or self._explicit():
                 if name == _KICK:

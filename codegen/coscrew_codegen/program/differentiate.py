@@ -2,7 +2,7 @@
 
 Both use the one interpreter, on numbers that carry derivatives, and the partial derivatives in the
 table of operations.  Derivatives are those of the exact operations.  Where a Program compares (|x|,
-a choice) they are one-sided; at √0 and 0/0 there is none.
+a choice, a table) they are one-sided; at √0 and 0/0 there is none.
 """
 
 from collections.abc import Callable, Sequence
@@ -69,7 +69,8 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
         return apply
 
     nan = arithmetic.not_a_number
-    duals = Arithmetic(constant, function, None if nan is None else Dual(nan, (None,) * count))
+    duals = Arithmetic(constant, function, None if nan is None else Dual(nan, (None,) * count),
+                       lambda x: Dual(arithmetic.column(x), (None,) * count))
     return interpreter(program, duals)(inputs)
 
 
@@ -118,7 +119,7 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
 
     nan = arithmetic.not_a_number
     tape = Arithmetic(lambda x: _Node(arithmetic.constant(x)), function,
-                      None if nan is None else _Node(nan))
+                      None if nan is None else _Node(nan), lambda x: _Node(arithmetic.column(x)))
     given = [[_Node(x) for x in components] for components in inputs]
     results = interpreter(program, tape)(given)
     adjoints: dict[_Node[V], V] = {}

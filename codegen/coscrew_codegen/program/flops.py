@@ -6,8 +6,8 @@ from coscrew_codegen.program.ops import Op
 from coscrew_codegen.program.program import Program
 
 # The fma that computes the error of a product counts as two.
-_FLOPS = {Op.NEG: 0, Op.ABS: 0, Op.LESS: 0, Op.EQUAL: 0, Op.SELECT: 0, Op.PRODUCT_ERROR: 2,
-          Op.PRODUCT_REST: 2}
+_FLOPS = {Op.NEG: 0, Op.ABS: 0, Op.LESS: 0, Op.EQUAL: 0, Op.SELECT: 0, Op.INDEX: 0,
+          Op.GATHER: 0, Op.PRODUCT_ERROR: 2, Op.PRODUCT_REST: 2}
 
 
 def flops(program: Program) -> int:

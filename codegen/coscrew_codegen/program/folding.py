@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 import mpmath
 
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref, constant
 from coscrew_codegen.program.interpreter import exactly
+from coscrew_codegen.program.tables import TableColumn
 
 DIGITS = 60
 """Decimal digits of constants that are not short fractions: far beyond double precision."""
@@ -233,7 +234,15 @@ def _select(known: Known, test: Operand, a: Operand, b: Operand) -> Operand | No
     return None
 
 
+def _gather(known: Known, column: TableColumn, index: Operand) -> Constant | None:
+    if column.only is not None:
+        return constant(column.only)
+    return Constant(column.at(index.double), column.at(index.single)) \
+        if isinstance(index, Constant) else None
+
+
 _RULES: Mapping[Op, Callable[..., Result | None]] = {
+    Op.GATHER: _gather,
     Op.ADD: _add, Op.SUB: _sub, Op.MUL: _mul, Op.SCALE: _mul, Op.DIV: _div, Op.NEG: _neg,
     Op.ABS: _abs, Op.SELECT: _select, Op.SIN: _odd(Op.SIN), Op.TANH: _odd(Op.TANH),
     Op.COS: _even(Op.COS)}

@@ -13,6 +13,8 @@ from typing import Any, Generic, TypeVar
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
 from coscrew_codegen.program.program import Constant, Input, Instruction, Operand, Program, Ref
+from coscrew_codegen.program.program import constant as number
+from coscrew_codegen.program.tables import TableColumn, index_of
 from coscrew_codegen.program.two_over_pi import chunk
 
 V = TypeVar("V")
@@ -23,11 +25,13 @@ class Arithmetic(Generic[V]):
     """A kind of numbers V.
 
     `constant` converts a constant; `function` returns a callable that computes an instruction,
-    given the instruction and its number in the program."""
+    given the instruction and its number in the program; `column` makes an operand of a table's
+    column, which is itself unless numbers are wrapped."""
 
     constant: Callable[[Constant], V]
     function: Callable[[Instruction, int], Callable[..., V]]
     not_a_number: V | None = None
+    column: Callable[[TableColumn], Any] = lambda x: x
 
 
 def interpreter(program: Program, arithmetic: Arithmetic[V]
@@ -66,9 +70,13 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
 
 
 def number_of(x: Operand, program: Program, arithmetic: Arithmetic[V]) -> V:
-    """A constant of the program, or NaN, as a number.  Raises TypeError if there is no NaN."""
+    """A constant of the program, a column, or NaN, as a number.  Raises TypeError if there is no
+    NaN."""
     if isinstance(x, Constant):
         return arithmetic.constant(x)
+    if isinstance(x, TableColumn):
+        made: V = arithmetic.column(x)
+        return made
     if arithmetic.not_a_number is None:
         raise TypeError(f"{program.name} may have no value, which these numbers lack")
     return arithmetic.not_a_number
@@ -83,7 +91,11 @@ def evaluate(program: Program, inputs: Sequence[Sequence[V]],
 def by_operation(constant: Callable[[Constant], V], operations: Mapping[Op, Callable[..., V]],
                  not_a_number: V | None = None) -> Arithmetic[V]:
     """The Arithmetic whose operations are in a table."""
-    return Arithmetic(constant, lambda step, _: operations[step.op], not_a_number)
+    def gathered(column: TableColumn, index: object) -> V:
+        return constant(number(column.at(index)))
+
+    known = {Op.GATHER: gathered} | dict(operations)
+    return Arithmetic(constant, lambda step, _: known[step.op], not_a_number)
 
 
 def exactly(functions: object = None) -> Mapping[Op, Callable[..., V]]:
@@ -109,4 +121,5 @@ _OPERATORS: Mapping[Op, Callable[..., Any]] = {
     Op.TWO_OVER_PI: chunk,
     Op.EXACT_ADD: operator.add, Op.EXACT_SUB: operator.sub,
     Op.PRODUCT_ERROR: lambda a, b, p: a * b - p, Op.PRODUCT_REST: lambda a, b, p, h: a * b - h,
-    Op.LESS: operator.lt, Op.EQUAL: operator.eq, Op.SELECT: lambda a, b, c: b if a else c}
+    Op.LESS: operator.lt, Op.EQUAL: operator.eq, Op.SELECT: lambda a, b, c: b if a else c,
+    Op.INDEX: index_of}

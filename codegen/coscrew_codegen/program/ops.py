@@ -34,7 +34,7 @@ Slopes = Callable[..., tuple[Any, ...]]
 @dataclass(frozen=True)
 class Meaning:
     """Number of operands of an operation, how its result is rounded, and its partial derivatives:
-    None if it has none (comparisons; a choice has those of its options)."""
+    None if it has none (comparisons, tables; a choice has those of its options)."""
 
     arity: int
     rounding: Rounding
@@ -76,6 +76,8 @@ class Op(Enum):
     LESS = "less"  # a < b
     EQUAL = "equal"  # a == b
     SELECT = "select"  # a ? b : c
+    INDEX = "index"  # the integer part of a, within 0 … b - 1; 0 if a is NaN
+    GATHER = "gather"  # a's number in the row b of its table; b is brought to an index as above
     HIGH_PRODUCT = "high product"  # integers of 32 bits: a b / 2^32 to nearest, ties upward
     WIDE_PRODUCT = "wide product"  # a b in 64 bits, times 2^c, rounded down
     ROUNDED_SHIFT = "rounded shift"  # a / 2^b in 32 bits to nearest, ties upward; a is of any width
@@ -136,10 +138,14 @@ _MEANINGS = {
     Op.LESS: Meaning(2, _EXACT, None),
     Op.EQUAL: Meaning(2, _EXACT, None, commutes=True),
     Op.SELECT: Meaning(3, _EXACT, None),
+    Op.INDEX: Meaning(2, _EXACT, None),
+    Op.GATHER: Meaning(2, _EXACT, None),
     Op.HIGH_PRODUCT: Meaning(2, _ONCE, None, commutes=True),
     Op.WIDE_PRODUCT: Meaning(3, _ONCE, None),
     Op.ROUNDED_SHIFT: Meaning(2, _ONCE, None)}
 
+OF_TABLES = frozenset({Op.INDEX, Op.GATHER})
+"""The operations that read tables, and find the index at which they do."""
 COMPARISONS = frozenset({Op.LESS, Op.EQUAL})
 """The operations whose results are truth values, for SELECT."""
 ERROR_OF = {Op.SIN: Op.SIN_ERROR, Op.COS: Op.COS_ERROR, Op.ATAN2: Op.ATAN2_ERROR,

@@ -13,6 +13,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.quantity import Argument
 
 
@@ -60,7 +61,7 @@ class NotANumber:
     """NaN, for results that are undefined."""
 
 
-Operand = Input | Constant | NotANumber | Ref
+Operand = Input | Constant | NotANumber | Ref | TableColumn
 
 
 def name_of(x: Operand) -> str:
@@ -87,9 +88,15 @@ def is_rounded(x: Operand) -> bool:
 def scales(step: Instruction) -> bool:
     """Returns whether this is a product with a constant power of two: exact barring over- and
     underflow."""
-    return step.op is Op.MUL and any(
-        isinstance(x, Constant) and x.double == x.single and is_power_of_two(x)
-        for x in step.operands)
+    if step.op is not Op.MUL:
+        return False
+    a, b = step.operands  # most are no constants: without a generator this is a third of the time
+    return (isinstance(a, Constant) and _is_exact_power(a)
+            or isinstance(b, Constant) and _is_exact_power(b))
+
+
+def _is_exact_power(x: Constant) -> bool:
+    return x.double == x.single and is_power_of_two(x)
 
 
 def is_power_of_two(x: Constant) -> bool:
@@ -118,6 +125,10 @@ class Program:
     def _hash(self) -> int:
         """The hash, computed once: caches need it often."""
         return hash((self.name, self.instructions, self.results, self.wide))
+
+    def __getstate__(self) -> Mapping[str, object]:
+        """Returns what is pickled: all but the hash, since other processes hash texts otherwise."""
+        return {name: x for name, x in vars(self).items() if name != "_hash"}
 
     @property
     def counts(self) -> Mapping[Op, int]:
@@ -213,6 +224,6 @@ def in_words(numbers: Mapping[Op, int]) -> str:
     order = (Op.MUL, Op.HIGH_PRODUCT, Op.WIDE_PRODUCT, Op.ADD, Op.ROUNDED_SHIFT,
              Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN, Op.COS, Op.ATAN2,
              Op.EXP, Op.TANH, *ERROR_OF.values(), Op.POWER, Op.TWO_OVER_PI, Op.NEG, Op.ABS,
-             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
+             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT, Op.INDEX, Op.GATHER)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

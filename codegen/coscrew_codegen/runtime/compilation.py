@@ -47,7 +47,8 @@ class Compiler:
 
 def compiler() -> Compiler:
     """$CC, or else clang, gcc or cc: clang compiles long straight-line functions in a third of
-    gcc's time.  Raises CompilationError."""
+    gcc's time.  A level of optimization in $CC, as in "clang -O0", replaces that of _LEVELS; bits
+    depend on neither.  Raises CompilationError."""
     for name in _names():
         if executable := _compiler(tuple(shlex.split(name)), os.environ.get("PATH", "")):
             return executable
@@ -99,7 +100,8 @@ def _compiler(command: tuple[str, ...], path: str) -> Compiler | None:
         return None
     if process.returncode or not version.strip():
         return None
-    level = next(flags for words, flags in _LEVELS.items() if words in version)
+    chosen = any(word.startswith("-O") for word in command)
+    level = () if chosen else next(x for words, x in _LEVELS.items() if words in version)
     return Compiler(command, version.partition("\n")[0].strip(), (*level, *_FLAGS))
 
 

@@ -8,7 +8,8 @@ EXTRAS = {"codegen": GENERATOR,
           "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate"),
           "sweep": (*GENERATOR, "scipy", "gmpy2", "matplotlib", "tabulate", "pyarrow", "dask",
                     "distributed", "zarr", "xarray", "pandas")}
-"""Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
+"""Modules by extra; `simulate` also installs pyarrow and Pillow, which only .parquet files and
+images of heights need."""
 
 COMMANDS = {"generate": "codegen", "certificate": "codegen", "import": "codegen",
             "effects": "codegen", "schema": "codegen", "simulate": "simulate", "check": "simulate",

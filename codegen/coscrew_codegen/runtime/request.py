@@ -1,19 +1,30 @@
-"""Requests: the functions that are wanted as callables."""
+"""Requests: the functions that are wanted as callables.
+
+Each derived function of a scene is cached by itself, so that requests for other functions of the
+scene derive only those that none has derived.
+"""
 
 from __future__ import annotations
 
 import functools
+import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.plugins import holder
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.console import doing
+from coscrew_codegen.scene import effects, joints
 from coscrew_codegen.scene.scene import Scene
 
 if TYPE_CHECKING:
     from coscrew_codegen.accuracy.scene_tiers import SceneTier
+    from coscrew_codegen.dynamics.derivation import Keep
 
 BOTH = tuple(p.name for p in PRECISIONS)
 
@@ -57,9 +68,43 @@ def of_scene(scene: Scene, selected: tuple[str, ...], precisions: tuple[str, ...
         with doing(f"deriving {scene.name}") as tell:
             from coscrew_codegen.dynamics import derive  # imports SymPy
 
-            return derive(scene, selected, lambda name: tell(f"deriving {name}"))
+            return derive(scene, selected, lambda name: tell(f"deriving {name}"), _keep(scene))
 
     return Request(scene.name, scene, selected, precisions, functions)
+
+
+def made_from(scene: Scene, maker: str) -> str:
+    """The hash of the sources from which a module makes something of the scene; "" if an effect or
+    a kind of joint is not in its catalogue, since its name does not identify its equations."""
+    used = {effects.__name__: {
+        holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects},
+        joints.__name__: {holder(joints.__name__, "JOINT", x.kind) for x in scene.model.joints}}
+    if any("" in modules for modules in used.values()):
+        return ""
+    return sources.digest_of(maker, chosen=used)
+
+
+def _keep(scene: Scene) -> Keep:
+    """Finds derived functions in the cache, or adds them to it.  They do not depend on what else is
+    selected."""
+    digest = made_from(scene, "coscrew_codegen.dynamics.derivation")
+    content = replace(scene, functions=(), tiers=()).content_hash
+
+    def keep(name: str, make: Callable[[], FunctionProgram]) -> FunctionProgram:
+        made: list[FunctionProgram] = []
+
+        def packed_here() -> bytes:
+            made.append(make())
+            return packed(made[0])
+
+        def read(path: Path) -> FunctionProgram:
+            function: FunctionProgram = made[0] if made else unpacked(path.read_bytes())
+            return function
+
+        key = cache.key_of(digest, content, str(sys.hash_info), name)  # constants hold their hash
+        return cache.cached(key, ".function", packed_here, read)
+
+    return keep if digest else lambda name, make: make()
 
 
 def of_functions(functions: SceneFunctions) -> Request:

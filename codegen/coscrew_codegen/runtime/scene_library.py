@@ -14,16 +14,14 @@ from pathlib import Path
 from types import ModuleType
 
 from coscrew_codegen.backends import emit
-from coscrew_codegen.program.plugins import holder
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface
 from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import named
-from coscrew_codegen.runtime import cache, compilation, sources
+from coscrew_codegen.runtime import cache, compilation
 from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.caller_warnings import warn
 from coscrew_codegen.runtime.compilation import CompiledLibrary, Compiler
-from coscrew_codegen.runtime.request import Request
-from coscrew_codegen.scene import effects, joints
+from coscrew_codegen.runtime.request import Request, made_from
 
 _SUFFIX = ".scene"
 
@@ -59,18 +57,13 @@ def kept(request: Request, using: Compiler) -> SceneLibrary | None:
 
 def key_of(request: Request, using: Compiler) -> str:
     """The cache key: a hash of all that the functions are made from.  "" if they are given, or if
-    an effect or a kind of joint is not in its catalogue, since its name does not identify its
-    equations."""
+    the scene's sources are not known."""
     scene = request.scene
     if scene is None:
         return ""
-    used = {effects.__name__: {
-        holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects},
-        joints.__name__: {holder(joints.__name__, "JOINT", x.kind) for x in scene.model.joints}}
-    if any("" in modules for modules in used.values()):
+    if not (digest := made_from(scene, __name__)):
         return ""
-    made_from = sources.digest_of(__name__, chosen=used)
-    return cache.key_of(made_from, scene.content_hash, *compilation.place(using),
+    return cache.key_of(digest, scene.content_hash, *compilation.place(using),
                         " ".join(request.precisions), *request.selected,
                         f"tier {request.tier}", f"lanes {request.lanes}")
 

@@ -205,7 +205,8 @@ class Torque:
 
     `rates` are x' of the effect's states.  With a `share`, `bounded` are the states and share times
     these are those within their bounds: a step moves x by its rates, and then puts it there.
-    `switches`: numbers that change their signs where another part of the law begins.
+    `switches`: numbers that change their signs where another part of the law begins.  `stored`: the
+    energy of bristles, which `power` counts as spent.
 
     With a `lag` the torque within its limit is what is demanded, and x the torque that acts: x' =
     (demand - x)/lag.  With `elastic` x are the angle and the speed of a rotor."""
@@ -222,6 +223,7 @@ class Torque:
     bounded: Vector = ()
     share: Number | None = None
     switches: Vector = ()
+    stored: Number | None = None
     lag: Number | None = None
     elastic: Elastic | None = None
     ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
@@ -255,7 +257,7 @@ class Force:
     Such an energy may depend on the body's pose and on time, not on its motion.
 
     `slopes` are -∂force/∂ of the point's velocity and position: implicit steps take them in as
-    inertias at the point.  `rates`, `bounded`, `share` and `switches` as in Torque."""
+    inertias at the point.  `rates`, `bounded`, `share`, `switches`, `stored` as in Torque."""
 
     point: Vector | None = None
     force: Vector | None = None
@@ -269,6 +271,7 @@ class Force:
     bounded: Vector = ()
     share: Number | None = None
     switches: Vector = ()
+    stored: Number | None = None
 
 
 @dataclass(frozen=True)
@@ -284,6 +287,7 @@ class ContactForce:
     bounded: Vector
     share: Number
     switches: Vector
+    stored: Number
     contact: BodyContact
     moment: Vector = ()
     rolling: Slopes | None = None  # -∂moment/∂w across the normal

@@ -14,6 +14,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any, TypeVar
 
+from coscrew_codegen.program.tables import index_of
 from coscrew_codegen.scene.names import or_mean
 
 LENGTH = 1000  # characters
@@ -35,7 +36,8 @@ PLACE = ("x", "y")
 
 _DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh, "sqrt": math.sqrt,
             "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float,
-            "less": operator.lt, "where": lambda test, a, b: a if test else b}
+            "less": operator.lt, "where": lambda test, a, b: a if test else b, "index": index_of,
+            "gather": lambda column, at: float(column.at(at))}
 
 
 V = TypeVar("V")  # the kind of numbers that a formula is evaluated on

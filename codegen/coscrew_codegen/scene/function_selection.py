@@ -20,7 +20,7 @@ from coscrew_codegen.scene.functions.steps import (
     step_parts,
     with_free_momentum,
 )
-from coscrew_codegen.scene.functions.whole_scene import contacts
+from coscrew_codegen.scene.functions.whole_scene import bristles, contacts
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
@@ -37,6 +37,8 @@ CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 """Functions by which steps resolve contacts of limits."""
 ALL_CONTACTS = contacts.FUNCTION.name
 """Points, forces and depths of all contacts of bodies."""
+BRISTLES = bristles.FUNCTION.name
+"""What bristles store, and the power of their effects."""
 CARRIED = carried_half_drift.FUNCTION.name
 """The function by which steps move free bases that touch the ground."""
 STATE_RATES, SWITCHES = OF_STATES = (state_rates.FUNCTION.name, law_switches.FUNCTION.name)

@@ -129,6 +129,9 @@ class Dynamics(Protocol):
     def power(self) -> Number:
         """The power of the effects without potential energy."""
 
+    def bristles(self) -> Results:
+        """The energy of bristles, and the power of the effects that have them."""
+
     def momentum(self) -> Numbers:
         """(p; L) of all bodies about the world's origin, in its axes; without armatures."""
 
@@ -186,9 +189,9 @@ class Dynamics(Protocol):
     def closures(self) -> Results:
         """The closures of loops, and the rows E, row by row."""
 
-    def closing_wrench(self, loop: str) -> Numbers:
-        """(force; moment) that a loop's closure exerts on its first body, in the body's frame, at
-        the loop's point."""
+    def closings(self, *loops: str) -> Results:
+        """The accelerations; (force; moment) that each of these loops' closures exerts on its first
+        body, in the body's frame, at the loop's point."""
 
     def with_closed_loops(self) -> Results:
         """q and v moved onto the closures of loops."""

@@ -108,21 +108,6 @@ def centroidal(kinds: Kinds) -> tuple[str, ...]:
     return tuple(of[unit][row // 3] for row in range(6) for unit in velocities(kinds))
 
 
-def states(kinds: Kinds) -> tuple[str, ...]:
-    """Units of displacements, then of velocities."""
-    return *displacements(kinds), *velocities(kinds)
-
-
-def states_by_states(kinds: Kinds) -> tuple[str, ...]:
-    """Units of the derivatives of q and v after a step by those before it, row by row."""
-    return over(states(kinds), states(kinds))
-
-
-def states_by_torques(kinds: Kinds) -> tuple[str, ...]:
-    """Units of the derivatives of q and v after a step by torques, row by row."""
-    return over(states(kinds), torques(kinds))
-
-
 def reciprocals(of: Units) -> Units:
     """The units over which a derivative of a number is: 1/m for m."""
     def inverted(kinds: Kinds) -> tuple[str, ...]:

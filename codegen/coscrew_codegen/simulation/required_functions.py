@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from coscrew_codegen.scene.function_selection import (
     ALL_CONTACTS,
+    BRISTLES,
     CONTACTS,
     FREE,
     LOOPS,
@@ -18,6 +19,8 @@ from coscrew_codegen.simulation.plan import known
 
 VIEWED = ("body_poses", ALL_CONTACTS)
 """Functions of playbacks; contacts only of scenes in which something touches."""
+JUDGED = (ALL_CONTACTS, BRISTLES)
+"""Functions by which runs and checks judge contacts and friction, of scenes that have them."""
 
 
 def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool = False
@@ -34,7 +37,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
     """Names of the functions that `check` needs."""
     return together(of_run(scene, integrator),
                     ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power",
-                     INTEGRATOR_NAMED[DEFAULT].step_name, ALL_CONTACTS, *CONTACTS, *FREE),
+                     INTEGRATOR_NAMED[DEFAULT].step_name, *JUDGED, *CONTACTS, *FREE),
                     *(expected(x.quantity, scene).functions for x in scene.expectations))
 
 
@@ -49,4 +52,4 @@ def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str
     mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
     pushed = ("forward_dynamics",) if held else ()
     return ("energy", "power", *mass, *pushed, own.step_name,
-            INTEGRATOR_NAMED[DEFAULT].step_name, *CONTACTS, *FREE, *LOOPS)
+            INTEGRATOR_NAMED[DEFAULT].step_name, *JUDGED, *CONTACTS, *FREE, *LOOPS)

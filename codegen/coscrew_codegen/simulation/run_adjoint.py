@@ -27,14 +27,15 @@ from coscrew_codegen.simulation.system import State, System, scene_of, system
 
 Reals = NDArray[np.floating]
 Weights = Callable[[int, Reals, Reals], tuple[ArrayLike, ArrayLike] | None]
-"""(k, q, v) -> derivatives of a cost by the state after step k: by q along velocities, and by v;
-None where the cost does not depend on it."""
+"""(k, q, v) -> derivatives of a cost by the state after step k: by q along velocities, with those
+by effects' states behind them, and by v; None where the cost does not depend on it."""
 
 
 @dataclass(frozen=True)
 class RunGradient:
-    """The end of a run, and the derivatives of a cost: by the start, along velocities of q; by the
-    torques of each step, (n, NV), if they were given; by run-time parameters."""
+    """The end of a run, and the derivatives of a cost: by the start, along velocities of q, with
+    those by effects' states behind them; by the torques of each step, (n, NV), if they were given;
+    by run-time parameters."""
 
     q: Reals
     v: Reals
@@ -90,8 +91,7 @@ class _Adjoint:
         stored = [start]
         for first in range(0, n - stride, stride):
             stored.append(self._onward(first, stride, stored[-1])[-1])
-        nv = self.its.functions.nv
-        g_q, g_v = (np.zeros(nv, self.its.dtype) for _ in range(2))
+        g_q, g_v = self._still()
         g_p = self._zeros()
         g_tau, end = None if self.tau is None else np.zeros_like(self.tau), start
         for first in reversed(range(0, n, stride)):
@@ -104,6 +104,13 @@ class _Adjoint:
                 if g_tau is not None:
                     g_tau[k] = by_tau
         return RunGradient(*end, *_plus(g_q, g_v, weights(0, *start)), g_tau, g_p)
+
+    def _still(self) -> tuple[Reals, Reals]:
+        """Zeros along velocities and effects' states, and along velocities."""
+        nv = self.its.functions.nv
+        g_q, g_v = (np.zeros(n, self.its.dtype) for n in (
+            nv + len(self.its.functions.states), nv))
+        return g_q, g_v
 
     def _zeros(self) -> Reals:
         """Zero for each run-time parameter."""
@@ -145,11 +152,10 @@ class _Adjoint:
             yield given
             return
         count, part = self.its.outputs(parts, **given)
-        still = np.zeros_like(state[1])
         for j in range(int(count)):
             given |= {"h": part, "t": self.t + k * self.h + j * float(part)}
             yield dict(given)
-            after = self._adjoint(given, still, still)
+            after = self._adjoint(given, *self._still())
             given |= {"q": after["qo"], "v": after["vo"]}
 
 

@@ -45,7 +45,7 @@ class System:
     p: tuple[float, ...] | np.ndarray = ()
     origin: "Kernels | None" = None  # the kernels of all precisions
 
-    @property
+    @cached_property
     def dtype(self) -> np.dtype:
         """The type of its numbers."""
         return np.dtype(self.precision.numpy_type)

@@ -1,5 +1,5 @@
 /* XLA's foreign function interface: buffers of rows, a row a state, and the processor's mode.  An
-   argument with one row is shared by all states. */
+   argument with one row is shared by all states; one state's buffers may lack the axis of rows. */
 #ifndef COSCREW_XLA_H
 #define COSCREW_XLA_H
 
@@ -41,8 +41,14 @@ static inline const XLA_FFI_Buffer *result(const XLA_FFI_CallFrame *frame, int w
   return (const XLA_FFI_Buffer *)frame->rets.rets[which];
 }
 
-static inline ptrdiff_t stride(const XLA_FFI_Buffer *x, int64_t states) {
-  return x->dims[0] == states ? (ptrdiff_t)x->dims[1] : 0;
+static inline ptrdiff_t rows(const XLA_FFI_Buffer *x) {
+  return x->rank > 1 ? (ptrdiff_t)x->dims[0] : 1;
+}
+
+static inline ptrdiff_t width(const XLA_FFI_Buffer *x) { return (ptrdiff_t)x->dims[x->rank - 1]; }
+
+static inline ptrdiff_t stride(const XLA_FFI_Buffer *x, ptrdiff_t states) {
+  return rows(x) == states ? width(x) : 0;
 }
 
 /* Whether XLA asks for the version of the interface, or for something but the results. */

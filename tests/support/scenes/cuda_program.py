@@ -19,7 +19,7 @@ from coscrew_codegen.program.values.formats import Precision, named
 from tests.support.scenes import lanes_program
 from tests.support.scenes.generated_scenes import BANNER
 
-_GRID = """
+GRID = """
 #include <stddef.h>
 struct Place { unsigned x; };
 extern "C" {
@@ -56,7 +56,7 @@ template <class... T> static OnDevice<T...> on_device(cudaError_t (*launch)(T...
 }
 """
 
-_TRANSLATED = """\
+TRANSLATED = """\
 #ifdef __NVCC__
 #define KSL_KERNEL extern "C" __global__
 #else
@@ -92,7 +92,7 @@ class Scene:
         kernels = [x for p in named(self.scene.precisions)
                    for x in cuda_kernels.kernels(self.scene, self.scene, p)]
         declared = (f"{x.kernel};\n".replace("KSL_KERNEL", 'extern "C"') for x in kernels)
-        (folder / "device.cu").write_text(f'{_TRANSLATED}#include "{self.stem}.cuh"\n')
+        (folder / "device.cu").write_text(f'{TRANSLATED}#include "{self.stem}.cuh"\n')
         written = self._written(folder, "cuda.cpp", self._grid("".join(declared)))
         return folder / "device.cu", *written
 
@@ -103,7 +103,7 @@ class Scene:
             partial(_called, self.scene, "launch"), _ON_DEVICE))
 
     def _grid(self, kernels: str) -> lanes_program.Compared:
-        return lanes_program.Compared(f'#include "{self.stem}.h"\n{_GRID}{kernels}',
+        return lanes_program.Compared(f'#include "{self.stem}.h"\n{GRID}{kernels}',
                                       partial(_called, self.scene, "kernel"))
 
     def _written(self, folder: Path, name: str, compared: lanes_program.Compared

@@ -9,6 +9,7 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
+from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
 from tests.support.scenes.differences import state
@@ -37,22 +38,29 @@ def results(functions: SceneFunctions, name: str, given: Values) -> Values:
 
 def moved(functions: SceneFunctions, function: SceneFunction, scene: Scene, given: Values,
           direction: Values, size: mpf) -> Values:
-    """The arguments, along a direction; coordinates along velocities."""
+    """The arguments, along a direction: coordinates along velocities, states along themselves."""
+    nv = functions.nv
     after = dict(given)
     for a in inputs_of(function, scene):
         step = [size * d for d in direction[f"d_{a.name}"]]
-        after[a.name] = (results(functions, "integrated", {"q": given[a.name], "phi": step})["qo"]
-                         if a.is_coordinates else
-                         [x + d for x, d in zip(given[a.name], step, strict=True)])
+        if a.is_coordinates:
+            whole = results(functions, "integrated", {"q": given[a.name], "phi": step[:nv]})["qo"]
+            joints = len(whole) - len(step[nv:])
+            after[a.name] = [*whole[:joints], *(
+                x + d for x, d in zip(whole[joints:], step[nv:], strict=True))]
+        else:
+            after[a.name] = [x + d for x, d in zip(given[a.name], step, strict=True)]
     return after
 
 
 def apart(functions: SceneFunctions, coordinates: bool, one: list[mpf], two: list[mpf]
           ) -> list[mpf]:
-    """The difference of two results; of coordinates, two ⊖ one."""
+    """The difference of two results; of coordinates, two ⊖ one, then that of their states."""
+    plain = [y - x for x, y in zip(one, two, strict=True)]
     if coordinates:
-        return results(functions, "difference", {"q": one, "q1": two})["phi"]
-    return [y - x for x, y in zip(one, two, strict=True)]
+        joints = len(plain) - len(functions.states)
+        return [*results(functions, "difference", {"q": one, "q1": two})["phi"], *plain[joints:]]
+    return plain
 
 
 def inlined(functions: SceneFunctions, function: SceneFunction, given: Values) -> Values:
@@ -77,13 +85,13 @@ def total(a: Values, b: Values, prefixes: tuple[str, str], names: list[str]) -> 
         a[prefixes[0] + name], b[prefixes[1] + name], strict=True))
 
 
-def check(scene: Scene, function: SceneFunction, seed: int = 3) -> None:
-    """The tangent is a difference; w·d_y = g·d_x."""
+def check(scene: Scene, function: SceneFunction, seed: int = 3, **at: list[mpf]) -> None:
+    """The tangent is a difference, at a state of this seed or with these inputs; w·d_y = g·d_x."""
     one, two = f"{function.name}_tangent", f"{function.name}_adjoint"
     own = () if function.step else (function.name,)
     functions = derive(scene, (*own, one, two, "integrated", "difference"))
     with mpmath.workdps(50):
-        given = arguments(scene, functions, seed)
+        given = {**arguments(scene, functions, seed), **at}
         direction, weights = directions(functions, one, "d_"), directions(functions, two, "w_")
         tangent = results(functions, one, {**given, **direction})
         ends = [inlined(functions, function, moved(functions, function, scene, given, direction,
@@ -101,6 +109,27 @@ def check(scene: Scene, function: SceneFunction, seed: int = 3) -> None:
         right = total(adjoint, direction, ("g_", "d_"), taken)
         size = mpmath.fsum(abs(x) for name in taken for x in adjoint[f"g_{name}"])
         assert abs(left - right) <= mpf(10)**-30 * max(size, 1)
+
+
+def check_step(its: Scene, integrator: Integrator, **at: list[mpf]) -> None:
+    """A, B_tau and B_p are the tangents along unit directions, with these inputs."""
+    name = integrator.step_with_tau
+    functions = derive(its, (f"{name}_derivatives", f"{name}_tangent"))
+    with mpmath.workdps(50):
+        given = {**arguments(its, functions, 5), **at}
+        whole = results(functions, f"{name}_derivatives", given)
+        still = {x: [mpf(0)] * len(y) for x, y in directions(functions, f"{name}_tangent",
+                                                             "d_").items()}
+        parts = [("A", ("q", "v")), ("B_tau", ("tau",)), ("B_p", ("p",))]
+        for matrix, by in parts[:3 if its.parameters else 2]:
+            units = [(x, k) for x in by for k in range(len(still[f"d_{x}"]))]
+            for column, (x, k) in enumerate(units):
+                unit = [mpf(int(i == k)) for i in range(len(still[f"d_{x}"]))]
+                tangent = results(functions, f"{name}_tangent", {**given, **still, f"d_{x}": unit})
+                wanted = [*tangent["d_qo"], *tangent["d_vo"]]
+                own = whole[matrix][column::len(units)]
+                for a, b in zip(own, wanted, strict=True):
+                    assert abs(a - b) <= mpf(10)**-30 * max(1, *map(abs, wanted)), (matrix, x, k)
 
 
 def entry(scene: Scene, name: str) -> SceneFunction:

@@ -127,3 +127,23 @@ kp = 20
 kd = 2
 target = "0.5*sin(2*pi*t)"
 """
+SLIDER = """
+runtime = ["stiction.slide.k"]
+[bodies]
+block = { mass = 1, inertia = [0.1, 0.1, 0.1] }
+wheel = { mass = 1, inertia = [0.1, 0.1, 0.1] }
+[joints]
+slide = { type = "prismatic", child = "block", axis = [1, 0, 0] }
+hinge = { type = "revolute", parent = "block", child = "wheel", axis = [0, 1, 0] }
+[effects.stiction.slide]
+tau_c = 4
+tau_s = 5
+k = 5e5
+d = 1000
+[effects.stiction.hinge]
+tau_c = 0.1
+[effects.actuator.slide]
+kind = "torque"
+torque = "3 + 1.9*sin(20*pi*t)"
+"""
+"""A block and a wheel held by stiction, an effect with states."""

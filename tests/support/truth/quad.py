@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coscrew_codegen.program import Constant, Input, NotANumber, Op, Operand, Program
+from coscrew_codegen.program.tables import TableColumn
 from tests.support.compiled.c_harness import run
 
 COMMAND = "gcc", "-O1", "-shared", "-fPIC", "-w"
@@ -48,6 +49,7 @@ def source(program: Program) -> str:
             return f"(Q)in[{starts[x.argument] + x.index}]"
         if isinstance(x, Constant):
             return f"({' + '.join(f'(Q){part}' for part in _parts(x.double))})"
+        assert not isinstance(x, TableColumn)
         return "(Q)NAN" if isinstance(x, NotANumber) else names[x.name]
 
     lines = [f"const Q {names[step.name]} = {_SPELLED[step.op].format(*map(text, step.operands))};"

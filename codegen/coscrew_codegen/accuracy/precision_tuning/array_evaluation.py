@@ -6,7 +6,7 @@ no value here.
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
 from coscrew_codegen.program.interpreter import Arithmetic, exactly, interpreter
 from coscrew_codegen.program.values.formats import SINGLE, Precision
+from coscrew_codegen.program.values.table_arrays import gathered, indices
 
 Array = NDArray[Any]
 Given = Sequence[Sequence[Array]]
@@ -35,7 +36,8 @@ class ArrayEvaluation:
         self._operations: dict[Op, Callable[..., Any]] = {
             **_OPERATORS, Op.SELECT: np.where, Op.ABS: np.absolute, Op.COPYSIGN: np.copysign,
             Op.PRODUCT_ERROR: exact, Op.PRODUCT_REST: lambda a, b, p, h: exact(a, b, h),
-            Op.POWER: self._power_of_two}
+            Op.POWER: self._power_of_two, Op.GATHER: partial(gathered, precision),
+            Op.INDEX: lambda x, count: self._type(indices(x, count))}
 
     @cached_property
     def arithmetic(self) -> Arithmetic[Any]:

@@ -60,9 +60,14 @@ class PrecisionChoice:
 
     program: Program
     pairs: Program  # all in pairs, for comparison
-    paired: int  # instructions of the plain program that are in pairs
+    mixture: Mixture
     worst: tuple[float, ...]  # largest certified bound of each component of the results; or, over
     # stated ranges, the proved one
+
+    @property
+    def paired(self) -> int:
+        """The number of instructions of the plain program that are in pairs."""
+        return len(self.mixture.paired)
 
 
 @cache
@@ -99,7 +104,7 @@ class _Search:
             others = self._others(result)
             if self._units(result, others).max() <= 1:
                 worst = self.sample.joined(first).joined(others).certified(result).max(axis=1)
-                return PrecisionChoice(result, self.pairs, len(mixture.paired),
+                return PrecisionChoice(result, self.pairs, mixture,
                                        tuple(worst.tolist()))
             self._add(others.at(_worst(self._units(result, others))))
             room *= room
@@ -120,7 +125,7 @@ class _Search:
         mixture = min((self._largest(power, meets) for power in _POWERS),
                       key=lambda x: operations(mixed(self.program, x)))
         bounds = of_mixture(self.program, ranges, SINGLE, mixture)
-        return PrecisionChoice(mixed(self.program, mixture), self.pairs, len(mixture.paired),
+        return PrecisionChoice(mixed(self.program, mixture), self.pairs, mixture,
                                tuple(x.error for x in bounds))
 
     def _others(self, program: Program) -> StateSample:

@@ -16,10 +16,10 @@ import numpy as np
 
 from coscrew_codegen.accuracy.tiers.compensated import (
     Carrier,
+    Carriers,
     Carrying,
     Name,
     Rule,
-    carried,
     rounded_constant,
 )
 from coscrew_codegen.accuracy.tiers.nonlinear import RULES, error_of
@@ -30,10 +30,10 @@ from coscrew_codegen.program.values.formats import Precision
 _NUMBER = re.compile(r"_[0-9]+$")
 
 
-def in_pairs(program: Program, precision: Precision) -> Program:
+def in_pairs(program: Program, precision: Precision, carrier: Carriers = Carrier) -> Program:
     """The plain program with every value, constants included, as hi + lo in this precision."""
     program = compared_exactly(program.fine or program, precision)
-    return rounded(carried(program, precision, SCENES), precision)
+    return rounded(carrier(program, precision, SCENES).of(program), precision)
 
 
 def rounded(program: Program, precision: Precision) -> Program:

@@ -16,6 +16,9 @@ with the rules for sums and products and the meaning of s, k, m, h, A, B, κ).  
     t ? a : b    d and s of the chosen one.  Where |x̂ - ŷ| <= B_x + B_y, the comparison x < y may
                  have the other result: |â - b̂| + B_a + B_b is added, so that the bound stays small
                  where the choice is continuous, and covers a jump where it is not.
+    t[a]         of a table, d and s are those of its number in the row.  Where â ∓ B_a lie in
+                 two rows, the difference of their numbers is added, where in more, the extent of
+                 the column; to the index itself, the difference of these rows.
     sin, cos     d is the function's error, plus sin (x̂ + d_x) - sin x̂, whose 13 roundings are a
                  part of d_x; s = 1 + s_x, or |ŷ| of an exact x, if there are many;
     tanh         d is the function's error, plus slope d_x; s = |ŷ| + s_x (1 + B_x / κ u): the
@@ -52,7 +55,9 @@ from coscrew_codegen.program import (
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.program.reported_error import ReportedError
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.table_arrays import rounded
 
 MANY = 16
 """Largest number of sines and cosines for which their size is 1: this makes sizes of rotated
@@ -188,6 +193,45 @@ def _of_choice(sizes: Sizes, step: Instruction) -> Size:
     return _widened(sizes, chosen, sizes.do(Op.SELECT, certain, ZERO, other))
 
 
+def _of_index(sizes: Sizes, step: Instruction) -> Size:
+    least, most = _indices(sizes, step.operands[0], step.operands[1])
+    size = Size(Ref(step.name))
+    return size if least == most else _widened(sizes, size, sizes.do(Op.SUB, most, least))
+
+
+def _of_gathered(sizes: Sizes, step: Instruction) -> Size:
+    of, at = step.operands
+    assert isinstance(of, TableColumn)
+    exact = all(x == Fraction(y) for x, y in zip(
+        of.table.values, rounded(of.table, sizes.precision).tolist(), strict=True))
+    s = sizes.do(Op.ABS, Ref(step.name))
+    size = Size(s) if exact else Size(s, Fraction(1), Fraction(1), sizes.slack)
+    least, most = _indices(sizes, at, constant(Fraction(of.table.rows)))
+    if least == most:
+        return size
+    grown = 1 + 8 * sizes.u
+    ends = [sizes.do(Op.GATHER, of, x) for x in (least, most)]
+    next_to = sizes.do(Op.MUL, _distance(sizes, *ends), sizes.rounded_up(grown))
+    rounding = 4 * sizes.u * max(map(abs, of.values)) + 2 * sizes.precision.eta
+    next_to = sizes.do(Op.ADD, next_to, sizes.rounded_up(rounding))
+    extent = sizes.rounded_up(grown * (max(of.values) - min(of.values)) + rounding)
+    rows = sizes.do(Op.SUB, most, least)
+    apart = sizes.do(Op.SELECT, sizes.do(Op.LESS, rows, constant(Fraction(2))), next_to, extent)
+    same = sizes.do(Op.EQUAL, least, most)
+    return _widened(sizes, size, sizes.do(Op.SELECT, same, ZERO, apart))
+
+
+def _indices(sizes: Sizes, x: Operand, count: Operand) -> tuple[Operand, Operand]:
+    """The least and the largest index that x may stand for."""
+    bound = sizes.bound(x)
+    if bound is None:
+        return x, x
+    around = sizes.do(Op.MUL, sizes.do(Op.ABS, x), constant(4 * sizes.u))
+    around = sizes.do(Op.ADD, around, bound)
+    least, most = (sizes.do(Op.INDEX, sizes.do(op, x, around), count) for op in (Op.SUB, Op.ADD))
+    return least, most
+
+
 def _bounds_of(sizes: Sizes, values: tuple[Operand, ...] | list[Operand]) -> list[Operand]:
     return [bound for x in values if (bound := sizes.bound(x)) is not None]
 
@@ -290,7 +334,7 @@ RULES: Mapping[Op, Callable[[Sizes, Instruction], Size]] = {
     Op.NEG: lambda sizes, step: sizes.size(step.operands[0]), Op.ABS: _of_absolute,
     Op.DIV: _of_quotient, Op.SQRT: _of_root, Op.SELECT: _of_choice, Op.SIN: _of_angle,
     Op.COS: _of_angle, Op.TANH: _curved, Op.EXP: _of_exponential, Op.ATAN2: _of_arctangent,
-    Op.SCALE: _of_scaled}
+    Op.SCALE: _of_scaled, Op.INDEX: _of_index, Op.GATHER: _of_gathered}
 BOUNDED = frozenset({*COMPARISONS, *RULES})
 """The operations whose errors have bounds."""
 COMPUTED = Sizing(RULES)

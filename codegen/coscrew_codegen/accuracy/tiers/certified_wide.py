@@ -8,7 +8,8 @@ decimals of single's constants, gives w and its bound B, so
 That nearly equals the true error, since w is 2^29 times more exact than x̂. So B need not be near
 the error of w: |d| <= k u S takes the place of d, which is not computed.  κ is large then, so that
 k u S / κ u, a part of A, remains small.  But sizes grow fast where quotients follow each other, as
-in forward dynamics: there d is computed.
+in forward dynamics, and in polynomials whose coefficients are read from tables: there d is
+computed.
 
 The sum has three roundings in double, and one to single precision, which loses at most u of it or
 half the least subnormal number.  The factor 1 + 4 u and this number, added unless the sum is 0,
@@ -52,9 +53,9 @@ def in_double(program: Program) -> Program:
     """w and B: the certified program in double, with the values of single's constants.  Raises
     NoRuleError."""
     exact = with_constants(program.fine or program, lambda x: replace(x, double=x.single))
-    divides = any(step.op in (Op.DIV, Op.SQRT) and isinstance(step.operands[-1], Ref)
-                  for step in exact.instructions)
-    return extended(exact, DOUBLE, COMPUTED if divides else SIZES_ALONE)
+    grows = any(step.op in (Op.DIV, Op.SQRT, Op.GATHER) and isinstance(step.operands[-1], Ref)
+                for step in exact.instructions)
+    return extended(exact, DOUBLE, COMPUTED if grows else SIZES_ALONE)
 
 
 def _with_plain_results(plain: Program, certified: Program) -> Program:

@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
+from functools import lru_cache, partial
 
 from coscrew_codegen.program import (
     Constant,
@@ -30,7 +30,9 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
+from coscrew_codegen.program.tables import ConstantTable
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.table_arrays import rounded
 
 Rule = Callable[["Carrier", Instruction], None]
 """Issues hi of a plain instruction under its name; and lo, or the parts of lo that are added where
@@ -75,8 +77,18 @@ class Carrier:
         """Issues a plain instruction and the instructions that carry it."""
         self._how.rules[step.op](self, step._replace(operands=tuple(map(self.hi, step.operands))))
 
-    def finished(self, program: Program) -> Program:
-        """The program whose instructions have been carried, its results rounded."""
+    def of(self, program: Program, carry: Callable[[Instruction], None] | None = None) -> Program:
+        """The plain program with its values carried, by default all in pairs, its results rounded.
+        """
+        for step in program.instructions:
+            (carry or self.carry)(step)
+            self.carried(step)
+        return self._finished(program)
+
+    def carried(self, step: Instruction) -> None:
+        """Takes note that a plain instruction has been carried."""
+
+    def _finished(self, program: Program) -> Program:
         guarded = bool(program.counts.keys() & _MAY_FAIL)
         results = tuple(self._final(result, guarded) for result in program.results)
         names = Counter(step.name for step in self.steps)
@@ -133,6 +145,7 @@ class Carrier:
         """hi + lo rounded; its rounding error is the new lo."""
         if self._how.normal is None:
             return x
+        x = self.hi(x)  # it may be an operand twice
         low = self.low(step, x)
         if low is None or not isinstance(x, Ref) or x.name in self._normals:
             return x
@@ -178,12 +191,13 @@ class Carrier:
         return Ref(choice.name),
 
 
+Carriers = Callable[[Program, Precision, Carrying], Carrier]
+"""Makes what carries a program's values: a Carrier, or one that takes notes."""
+
+
 def carried(program: Program, precision: Precision, how: Carrying) -> Program:
     """The plain program with its values carried as hi + lo, its results rounded."""
-    carrier = Carrier(program, precision, how)
-    for step in program.instructions:
-        carrier.carry(step)
-    return carrier.finished(program)
+    return Carrier(program, precision, how).of(program)
 
 
 def suffixed(_: Program) -> Name:
@@ -216,6 +230,16 @@ def rest_of(x: Constant, precision: Precision = DOUBLE) -> Constant | None:
     rest = precision.value(x) - precision.value(rounded_constant(x, precision))
     value = Fraction(float(precision.rounded(rest)))
     return Constant(value, value, x.name and f"{x.name}_lo") if value else None
+
+
+@lru_cache(8)
+def rest_of_table(x: ConstantTable, precision: Precision) -> ConstantTable:
+    """The table of the rounded rests of a table's numbers beyond their roundings."""
+    def rest(value: Fraction, near: float) -> Fraction:
+        left = value - Fraction(near)
+        return Fraction(float(precision.rounded(left))) if left else left
+
+    return replace(x, values=tuple(map(rest, x.values, rounded(x, precision).tolist())))
 
 
 # rules

@@ -7,7 +7,7 @@ contributions of the lo; else as hi + lo rounded."""
 from dataclasses import dataclass
 
 from coscrew_codegen.accuracy.tiers.accurate_scene import SCENES, compared_exactly, rounded
-from coscrew_codegen.accuracy.tiers.compensated import Carrier, cross_terms
+from coscrew_codegen.accuracy.tiers.compensated import Carrier, Carriers, cross_terms
 from coscrew_codegen.accuracy.tiers.tier import Tier
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program
 from coscrew_codegen.program.program import name_of
@@ -26,13 +26,11 @@ class Mixture:
     kept: frozenset[tuple[str, int]]
 
 
-def mixed(program: Program, mixture: Mixture) -> Program:
+def mixed(program: Program, mixture: Mixture, carrier: Carriers = Carrier) -> Program:
     """The plain program in single precision with this mixture."""
     program = compared_exactly(program, SINGLE)
-    mixed = _Mixed(Carrier(program, SINGLE, SCENES), mixture)
-    for step in program.instructions:
-        mixed.carry(step)
-    return rounded(mixed.pairs.finished(program), SINGLE)
+    pairs = carrier(program, SINGLE, SCENES)
+    return rounded(pairs.of(program, _Mixed(pairs, mixture).carry), SINGLE)
 
 
 @dataclass(frozen=True)

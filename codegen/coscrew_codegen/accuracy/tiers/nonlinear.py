@@ -7,12 +7,21 @@ of quotients and roots, a - q b and a - s s, are exact; the errors of elementary
 computed by error functions."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
-from coscrew_codegen.accuracy.tiers.compensated import Carrier, Rule, negation, product, total
+from coscrew_codegen.accuracy.tiers.compensated import (
+    Carrier,
+    Rule,
+    negation,
+    product,
+    rest_of_table,
+    total,
+)
 from coscrew_codegen.program import ONE, ZERO, Instruction, Op, Operand, Ref, constant
 from coscrew_codegen.program.ops import COMPARISONS, ERROR_OF
+from coscrew_codegen.program.tables import TableColumn
 
 Lows = list[Operand | None]
 Low = Callable[[Carrier, Instruction, Lows], Operand | None]
@@ -194,9 +203,19 @@ def _selected(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
     return c.issue(step, Op.SELECT, (step.operands[0], *chosen), "lo")
 
 
+def _gathered(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
+    """lo of a table's number: that of another table, in the same row."""
+    of, at = step.operands
+    assert isinstance(of, TableColumn)
+    rests = rest_of_table(of.table, c.precision)
+    column = replace(of, table=rests)
+    return c.issue(step, Op.GATHER, (column, at), "lo") if any(column.values) else None
+
+
 RULES: Mapping[Op, Rule] = {
     Op.ADD: total, Op.SUB: total, Op.MUL: product, Op.NEG: negation, Op.DIV: _by(_quotient),
     Op.SQRT: _by(_root), Op.SCALE: _by(_scaled), **{op: _by(_called) for op in _MOVED},
     Op.ABS: _by(_absolute), **{op: _by(lambda c, step, low: None) for op in COMPARISONS},
-    Op.SELECT: _by(_selected, normal=False)}
-"""A rule for every operation that tiers carry; truth values have no lo."""
+    Op.SELECT: _by(_selected, normal=False), Op.INDEX: _by(lambda c, step, low: None),
+    Op.GATHER: _by(_gathered)}
+"""A rule for every operation that tiers carry; truth values and indices have no lo."""

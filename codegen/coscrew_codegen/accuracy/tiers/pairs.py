@@ -12,7 +12,7 @@ from coscrew_codegen.program.values.formats import SINGLE
 TIER = Tier(
     "pairs", 5, "Pairs tier: single precision compensated, every value a pair of floats.",
     ("#8250c4", "#b58cf0"), make=None, scene=in_pairs, precisions=(SINGLE,), header="ksl_exact",
-    proof=of_pairs,
+    proof=of_pairs, pairs=(SINGLE,),
     promise="""\
 A component is within 0.51 units of its last digit as long as its condition is below 1e4, and
 within one below 1e6.  Measured, not proved.  The condition counts the model's decimals among the

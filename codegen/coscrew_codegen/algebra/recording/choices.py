@@ -11,7 +11,7 @@ from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.program import Instruction, Op, Program, Ref
 from coscrew_codegen.program.interpreter import Arithmetic
-from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.program.ops import COMPARISONS, OF_TABLES
 from coscrew_codegen.program.program import name_of
 
 Case = frozenset[tuple[str, bool]]
@@ -46,7 +46,7 @@ class Choices:
 
             return apply
 
-        return Arithmetic(plain.constant, function, plain.not_a_number)
+        return Arithmetic(plain.constant, function, plain.not_a_number, plain.column)
 
     def product(self, step: Instruction, partial: Any, adjoint: Number) -> Any:
         """Partial derivative times adjoint; zero where the step's result is not taken, if the
@@ -86,7 +86,7 @@ def _cases(program: Program) -> dict[str, Cases]:
     for step in reversed(program.instructions):
         own = results[step.name]
         for place, x in enumerate(step.operands):
-            if not isinstance(x, Ref) or step.op in COMPARISONS:
+            if not isinstance(x, Ref) or step.op in COMPARISONS | OF_TABLES:
                 continue
             if step.op is not Op.SELECT:
                 results[x.name] = _either(results[x.name], own)

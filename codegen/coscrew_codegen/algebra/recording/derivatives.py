@@ -34,8 +34,8 @@ def tangent(program: Program) -> Program:
 
 
 def jacobian(program: Program) -> Program:
-    """The Program from inputs x to the derivatives ∂y/∂x of each output by the components of all
-    inputs, row by row."""
+    """The Program from inputs x to the derivatives ∂y/∂x of each output by each input, row by row.
+    """
     recorder = Recorder(program.inputs)
     numbers_of = [recorder.argument(a.name) for a in program.inputs]
     count, one = sum(map(len, numbers_of)), recorder.number(1)
@@ -44,9 +44,15 @@ def jacobian(program: Program) -> Program:
               for x, k in zip(row, places, strict=False)] for row in numbers_of]
     with recorder.part("jacobian"):
         result = along(program, recorder, given)
-    slopes = [recorder.number(0) if s is None else s for y in result for s in y.slopes]
-    outputs = [array(f"d_{a.name}", (a.quantity.size, count)) for a in program.outputs]
-    return recorder.program(f"{program.name}_jacobian", _of(tuple(outputs), slopes))
+    zero, rows, outputs = recorder.number(0), iter(result), list[tuple[Argument, list[Number]]]()
+    for y in program.outputs:
+        of, first = [next(rows).slopes for _ in range(y.quantity.size)], 0
+        for x in program.inputs:
+            end = first + x.quantity.size
+            outputs.append((array(f"d_{y.name}_d_{x.name}", (y.quantity.size, end - first)), [
+                zero if s is None else s for slopes in of for s in slopes[first:end]]))
+            first = end
+    return recorder.program(f"{program.name}_jacobian", outputs)
 
 
 def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]]

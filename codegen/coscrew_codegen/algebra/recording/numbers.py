@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.program import Constant, Op, Operand
+from coscrew_codegen.program.tables import TableColumn
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder
@@ -77,6 +78,16 @@ def equal(a: Number, b: "Like") -> Number:
 def where(test: Number, a: "Like", b: "Like") -> Number:
     """a if the test holds, else b."""
     return test._with(Op.SELECT, test, a, b)
+
+
+def index(x: Number, count: int) -> Number:
+    """The integer part of x, within 0 … count - 1."""
+    return x._with(Op.INDEX, x, count)
+
+
+def gather(column: TableColumn, at: Number) -> Number:
+    """The column's number in the row `at`."""
+    return Number(at.recorder, at.recorder.issue(Op.GATHER, (column, at.operand)))
 
 
 def maximum(a: Number, b: "Like") -> Number:

@@ -5,11 +5,12 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from coscrew_codegen.backends.c import c_lanes, c_several_of_states, two_over_pi_table
+from coscrew_codegen.backends.c import c_lanes, c_several_of_states
 from coscrew_codegen.backends.c.c_function import FunctionBody, Stored
 from coscrew_codegen.backends.c.c_lanes import SEVERAL
 from coscrew_codegen.backends.c.c_nested import language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.c.tables import two_over_pi_table
 from coscrew_codegen.backends.nesting import planned
 from coscrew_codegen.program import Constant, Input, Op, Program, renamed
 from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS, Elementary

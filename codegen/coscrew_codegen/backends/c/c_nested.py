@@ -15,6 +15,7 @@ from coscrew_codegen.backends.c.c_statements import (
     sine_and_cosine,
 )
 from coscrew_codegen.backends.c.c_together import Together
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import (
     CALL,
     CHOICE,
@@ -28,7 +29,7 @@ from coscrew_codegen.backends.nesting import (
     wrapped,
 )
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.program.ops import COMPARISONS, OF_TABLES
 from coscrew_codegen.program.values.formats import BY_NAME, Precision
 
 _SPELLING = {
@@ -67,6 +68,8 @@ def language(program: Program, precision: Precision) -> Language:
             return _ROUNDED
         if step.op is Op.TWO_OVER_PI:
             return spelled(step, precision)
+        if step.op in OF_TABLES:
+            return c_tables.spelled(step, precision), CALL
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
             pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))

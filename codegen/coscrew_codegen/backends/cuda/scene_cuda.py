@@ -11,9 +11,10 @@ from functools import cached_property
 
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.backends.c import c_elementary, two_over_pi_table
+from coscrew_codegen.backends.c import c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_statements import comment_of
+from coscrew_codegen.backends.c.tables import two_over_pi_table
 from coscrew_codegen.backends.cuda.cuda_kernels import CudaKernel, kernels
 from coscrew_codegen.backends.cuda.cuda_number import CudaNumber
 from coscrew_codegen.backends.render import render
@@ -67,6 +68,11 @@ class Block:
         digits = two_over_pi_table.holes(self.built_in, self.working.suffix)
         return [CudaElementary(x, digits)
                 for x in c_elementary.written(self.working, self.made.called, nested=True)]
+
+    @property
+    def tables(self) -> str:
+        """The tables that they read."""
+        return self.made.tables
 
     @property
     def texts(self) -> Iterator[str]:

@@ -4,9 +4,9 @@ Products of 64 bits are used once, so they are nested and never declared.  Shift
 products with powers of two, which C defines for negative numbers, too."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from coscrew_codegen.backends.c.c_nested import declarations
+from coscrew_codegen.backends.c.c_nested import EACH, declarations
 from coscrew_codegen.backends.c.c_statements import OF_INTEGERS, WIDTH
 from coscrew_codegen.backends.nesting import (
     CALL,
@@ -18,11 +18,14 @@ from coscrew_codegen.backends.nesting import (
     numbered,
 )
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
+from coscrew_codegen.program.roundoff import CIRCULAR
 from coscrew_codegen.program.values.formats import Precision
 
 _SPELLING = {Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.NEG: ("-{}", SIGN),
              Op.MUL: ("{} * {}", PRODUCT),
              **{op: (pattern, CALL) for op, pattern in OF_INTEGERS.items()}}
+_WIDE_LANES = {Op.ADD: "ksl_wide_sum_lanes({}, {})", Op.SUB: "ksl_wide_difference_lanes({}, {})",
+               Op.WIDE_PRODUCT: "ksl_wide_product_lanes({}, {}"}
 
 
 @dataclass(frozen=True)
@@ -31,19 +34,25 @@ class _Integers(Precision):
 
     @property
     def called(self) -> str:
-        return "_fixed"
+        return f"{self.lanes}_fixed"
 
 
 INTEGERS = _Integers(31, 0, "fixed", "int32_t", "", "int32", 4)
 """The type of values, and the ending of the names of functions on them."""
+IN_LANES = replace(INTEGERS, c_type="ksl_states_fixed", lanes="_lanes")
+"""The same of vectors with an integer of each of several states."""
 
 
 def body(program: Program, access: Callable[[Input], str], targets: Sequence[str],
-         headings: Mapping[int, str], width: int) -> str:
+         headings: Mapping[int, str], width: int, integers: Precision = INTEGERS) -> str:
     """The lines of a body: declarations at most `width` wide, then the stores, indented."""
-    nesting = nested(program, language(wide_steps(program)), access, headings, width)
-    rows = [*_unused(program), *declarations(nesting.assigned, INTEGERS, WIDTH - 2),
-            *_stores(program, access, targets, nesting.results)]
+    wide = wide_steps(program)
+    spelled = lanes_language(wide) if integers.lanes else language(wide)
+    nesting = nested(program, spelled, access, headings, width)
+    results = [_each(x) if integers.lanes and isinstance(of, Constant) else x
+               for x, of in zip(nesting.results, program.results, strict=True)]
+    rows = [*_unused(program), *declarations(nesting.assigned, integers, WIDTH - 2),
+            *_stores(program, access, targets, results, integers)]
     return "\n".join(f"  {line}" for row in rows for line in row.split("\n"))
 
 
@@ -71,14 +80,47 @@ def language(wide: frozenset[str]) -> Language:
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.op is Op.WIDE_PRODUCT:
             return aligned(step, OF_INTEGERS[Op.WIDE_PRODUCT])
-        if step.op is Op.ROUNDED_SHIFT and isinstance(step.operands[0], Ref) \
-                and step.operands[0].name in wide:
+        if narrows(step, wide):
             return ("ksl_narrow({}, {})" if integer(step.operands[1]) else "(int32_t)({})"), CALL
-        if step.op in (Op.SIN, Op.COS):
-            return f"ksl_{step.op.value}_fixed({{}}, {{}})", CALL
+        if step.op in CIRCULAR:
+            return f"ksl_{step.op.value}{INTEGERS.called}({{}}, {{}})", CALL
         return _SPELLING[step.op]
 
     return Language(spelling, lambda x: str(integer(x)), "", "", "{arguments}")
+
+
+def narrows(step: Instruction, wide: frozenset[str]) -> bool:
+    """Returns whether the instruction shifts a value of 64 bits to one of 32."""
+    of = step.operands[0]
+    return step.op is Op.ROUNDED_SHIFT and isinstance(of, Ref) and of.name in wide
+
+
+def lanes_language(wide: frozenset[str]) -> Language:
+    """C of vectors of integers; a value of 64 bits is a pair of them, which has no operators."""
+    def spelling(step: Instruction) -> tuple[str, int]:
+        if step.op is Op.ROUNDED_SHIFT:
+            name = "narrowed" if narrows(step, wide) else "rounded_shift"
+            return f"ksl_{name}_lanes({{}}, {integer(step.operands[1])})", CALL
+        if step.op in CIRCULAR:
+            return f"ksl_{step.op.value}{IN_LANES.called}({{}}, {integer(step.operands[1])})", CALL
+        if step.op is Op.WIDE_PRODUCT:
+            pattern, binding = f"{_WIDE_LANES[step.op]}, {integer(step.operands[2])})", CALL
+        elif step.name in wide:
+            return _WIDE_LANES[step.op], CALL
+        else:
+            pattern, binding = _SPELLING[step.op]
+            pattern = pattern.replace("product(", "product_lanes(")
+        if binding == CALL:
+            pattern = pattern.format(*(_each("{}") if isinstance(x, Constant) else "{}"
+                                       for x in step.operands[:2]))
+        return pattern, binding
+
+    return replace(language(wide), spelling=spelling)
+
+
+def _each(x: str) -> str:
+    """A vector with this integer for each state."""
+    return EACH.format(x, f=IN_LANES.called)
 
 
 def aligned(step: Instruction, text: str, long: str = "INT64_C({})") -> tuple[str, int]:
@@ -102,11 +144,11 @@ def _unused(program: Program) -> Iterator[str]:
 
 
 def _stores(program: Program, access: Callable[[Input], str], targets: Sequence[str],
-            results: Sequence[str]) -> Iterator[str]:
+            results: Sequence[str], integers: Precision) -> Iterator[str]:
     """The stores, after all inputs that are results have been read: outputs may overlap inputs."""
     texts = list(results)
     for n, x in enumerate(program.results):
         if isinstance(x, Input):
             texts[n] = f"kept_{n}"
-            yield f"const int32_t kept_{n} = {access(x)};"
+            yield f"const {integers.c_type} kept_{n} = {access(x)};"
     yield from (f"{target} = {text};" for target, text in zip(targets, texts, strict=True))

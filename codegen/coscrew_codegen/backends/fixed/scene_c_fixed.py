@@ -20,11 +20,13 @@ from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.fixed.fixed_value import FixedValue
 from coscrew_codegen.program.program import counts_in_words
 from coscrew_codegen.program.values.digits import two_digits_up
+from coscrew_codegen.program.values.formats import Precision
 
 MARK = {Products.FULL: "", Products.HIGH: "_high"}
 """Endings of names: full products, which are more accurate, have none."""
 _DECLARED = re.compile(r"(\w+) = ")
-_TITLES = {Products.FULL: "products of 64 bits", Products.HIGH: "the upper 32 bits of products"}
+TITLES = {Products.FULL: "products of 64 bits", Products.HIGH: "the upper 32 bits of products"}
+"""Products in words."""
 
 
 @uncollected()
@@ -39,12 +41,12 @@ def files(made: FixedScene, banner: str) -> Files:
     public = [*written[Products.FULL], *written[Products.HIGH], *fits, *conversions]
     sources = {"": (*written[Products.FULL], *fits), "_high": written[Products.HIGH],
                "_double": conversions}
-    about = {mark: f"The functions of {made.stem}.h with {_TITLES[x]}."
+    about = {mark: f"The functions of {made.stem}.h with {TITLES[x]}."
              for x, mark in MARK.items()}
     about["_double"] = f"Conversions of {made.stem}.h from double to integers, and back."
     return {f"{made.stem}.h": render(
                 "scene/fixed.h", banner=banner, about=comment_of([*_about(made)]),
-                guard=made.stem.upper(), formats=list(_formats(made)), functions=public),
+                guard=made.stem.upper(), formats=list(formats(made)), functions=public),
             **{f"{made.stem}{mark}.c": _source(made, about[mark], functions, banner,
                                                mark == "_double")
                for mark, functions in sources.items()}, **scene_c_fixed_runtime.files()}
@@ -57,10 +59,15 @@ def c_name(made: FixedScene, f: FixedFunction, products: Products) -> str:
 
 def _source(made: FixedScene, title: str, functions: Sequence[CFunction], banner: str,
             converts: bool) -> str:
-    names = scene_symbols.legend(x for f in functions for x in _DECLARED.findall(f.body))
     return render("scene/fixed.c", banner=banner, title=title, header=made.stem,
-                  names=[comment_of(names)] if names else [], functions=functions,
+                  names=legend(x.body for x in functions), functions=functions,
                   converts=converts, fingerprint=scene_c_fixed_runtime.fingerprint())
+
+
+def legend(bodies: Iterable[str]) -> list[str]:
+    """The comment that explains the names in these bodies of functions, if they have any."""
+    names = scene_symbols.legend(x for body in bodies for x in _DECLARED.findall(body))
+    return [comment_of(names)] if names else []
 
 
 def _about(made: FixedScene) -> Iterator[str]:
@@ -83,7 +90,7 @@ def _about(made: FixedScene) -> Iterator[str]:
         yield f"Left out: {name}: {scene_text.printable(reason)}."
 
 
-def _formats(made: FixedScene) -> Iterator[tuple[str, str, str]]:
+def formats(made: FixedScene) -> Iterator[tuple[str, str, str]]:
     """(comment, name, value) of the macros: formats of arguments, and of the results of each
     function."""
     head = f"{made.plain.name.upper()}_{made.tier.mark.upper()}"
@@ -108,16 +115,22 @@ def _function(made: FixedScene, f: FixedFunction, products: Products) -> CFuncti
     fixed, outputs = f.programs[products], scene_text.outputs(f.plain)
     parameters = [*(arguments.read(a, INTEGERS) for a in f.plain.inputs),
                   *(arguments.written(a, INTEGERS) for a in outputs)]
-    headings = {place: scene_text.printable(words)
-                for place, words in headings_in(f.plain, fixed.program)}
     comment = comment_of([
         scene_text.printable(scene_text.sentence(f.plain.words)), bounds_in_words(f, fixed.results),
         f"{counts_in_words(fixed.program).capitalize()}."])
     return CFunction(f.plain.name, comment,
                      arguments.head(c_name(made, f, products), parameters),
-                     c_integers.body(fixed.program, scene_text.access(fixed.program),
-                                     arguments.targets(outputs), headings,
-                                     scene_text.VALUE_WIDTH))
+                     body(f, products))
+
+
+def body(f: FixedFunction, products: Products, integers: Precision = INTEGERS) -> str:
+    """The lines of a function's body."""
+    fixed = f.programs[products].program
+    headings = {place: scene_text.printable(words)
+                for place, words in headings_in(f.plain, fixed)}
+    return c_integers.body(fixed, scene_text.access(fixed),
+                           arguments.targets(scene_text.outputs(f.plain)), headings,
+                           scene_text.VALUE_WIDTH, integers)
 
 
 def bounds_in_words(f: FixedFunction, results: Sequence[FixedValue]) -> str:

@@ -42,6 +42,9 @@ STYLE = RcParams({
     "axes.prop_cycle": cycler(color=[light for light, _ in LINES])})
 """Text as paths, so that it looks alike everywhere; ids from a fixed salt."""
 
+_DARK = {INK: "#e7eaf0", QUIET: "#a0a9b8", EDGE: "#a0a9b8", _RULE: "#313947", _CARD: "#1a1f27",
+         **dict((*LINES, *(tier.colours for tier in (*TIERS, *OF_SCENES))))}
+"""Colours on a dark ground, by those on a light one."""
 _IN_PAGES = {INK: "var(--ink)", QUIET: "var(--quiet)", EDGE: "var(--quiet)", _RULE: "var(--rule)",
              _CARD: "var(--card)", **{light: f"light-dark({light}, {dark})" for light, dark in (
                  *LINES, *(tier.colours for tier in (*TIERS, *OF_SCENES)))}}
@@ -126,9 +129,16 @@ def drawn(panels: Sequence[Panel], across: int = 4) -> Figure:
 
 
 @styled
-def write(figure: Figure, path: Path) -> None:
-    """Write an SVG or PNG, the same bytes for the same figure."""
-    figure.savefig(path, metadata=_REPRODUCIBLE[path.suffix])
+def write(figure: Figure, path: Path, dark: bool = False) -> None:
+    """Write an SVG or PNG, the same bytes for the same figure; `dark` gives an SVG a dark ground
+    where the reader's system prefers that."""
+    if not dark or path.suffix != ".svg":
+        figure.savefig(path, metadata=_REPRODUCIBLE[path.suffix])
+        return
+    rules = " ".join(f'[style*="{x}: {light}"] {{ {x}: {other} !important }}'
+                     for light, other in _DARK.items() for x in ("fill", "stroke"))
+    path.write_text(svg(figure).replace(
+        "</style>", f" @media (prefers-color-scheme: dark) {{ {rules} }}</style>", 1), "utf-8")
 
 
 @styled

@@ -4,8 +4,8 @@ import textwrap
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from coscrew_codegen.backends.c import two_over_pi_table
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.c.tables import two_over_pi_table
 from coscrew_codegen.backends.nesting import Nesting
 from coscrew_codegen.backends.numpy import numpy_operations
 from coscrew_codegen.backends.render import render

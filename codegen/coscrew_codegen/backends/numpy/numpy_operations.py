@@ -22,8 +22,10 @@ from coscrew_codegen.backends.nesting import (
     Nesting,
     wrapped,
 )
+from coscrew_codegen.backends.numpy import numpy_tables
 from coscrew_codegen.backends.numpy.shared_twins import SharedProgram
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Program
+from coscrew_codegen.program.ops import OF_TABLES
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.quantity import Argument, in_words
 from coscrew_codegen.program.whole_cost import whole_cost
@@ -128,6 +130,8 @@ def language(kind: str, constant: Callable[[Constant], str], module: str = "") -
             return f"where({{}}, {kind}({{}}), {kind}({{}}))", CALL
         if step.op in ELEMENTARY:
             return module + "".join(ELEMENTARY[step.op]), CALL
+        if step.op in OF_TABLES:
+            return numpy_tables.spelled(step), CALL
         return SPELLING[step.op]
 
     return Language(spelling, constant, "nan", "# ", f"{module}{{function}}({{arguments}})")

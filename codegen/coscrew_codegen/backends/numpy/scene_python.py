@@ -12,7 +12,7 @@ from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
 from coscrew_codegen.backends.nesting import NestingPlan
-from coscrew_codegen.backends.numpy import numpy_elementary
+from coscrew_codegen.backends.numpy import numpy_elementary, numpy_tables
 from coscrew_codegen.backends.numpy.numpy_operations import (
     EXACT,
     NUMPY_NAMES,
@@ -58,7 +58,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     plans = scene_text.plans(scene)
     modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
                **{p.name: _module(scene, plans, banner, p) for p in named(scene.precisions)},
-               **_elementary(scene.functions, named(scene.precisions), banner)}
+               **_shared(scene.functions, named(scene.precisions), banner)}
     return {f"{scene.name}/{name}.py": text for name, text in modules.items()}
 
 
@@ -75,19 +75,22 @@ def tier_files(made: SceneTier, banner: str) -> Files:
                            precisions=made.plain.precisions),
         **{p.name: _module(scene, scene_text.plans(scene), banner, p)
            for p, scene in made.in_precisions},
-        **_elementary(functions, working, banner)}
+        **_shared(functions, working, banner)}
     if any(f.program.wide or op in f.program.counts for f in functions for op in EXACT):
         modules["_exact"] = render("scene/exact.py", banner=banner)
     return {f"{made.plain.name}/{made.tier.mark}/{name}.py": text
             for name, text in modules.items()}
 
 
-def _elementary(functions: Sequence[FunctionProgram], precisions: Sequence[Precision], banner: str
-                ) -> Files:
-    """The modules of the elementary functions that these functions call."""
-    names = called([f.program for f in functions])
+def _shared(functions: Sequence[FunctionProgram], precisions: Sequence[Precision], banner: str
+            ) -> Files:
+    """The modules of the elementary functions that these functions call, and of their tables."""
+    programs = [f.program for f in functions]
+    names, tables = called(programs), numpy_tables.names(programs)
     return {f"_elementary_{p.name}": numpy_elementary.module(p, names, banner)
-            for p in precisions if names}
+            for p in precisions if names} | {
+        f"_tables_{p.name}": numpy_tables.module(programs, p, banner)
+        for p in precisions if tables}
 
 
 def _tuple(name: str, values: Sequence[object]) -> str:
@@ -130,6 +133,7 @@ def _module(scene: SceneFunctions, plans: Sequence[NestingPlan], banner: str, pr
                          for row in wrap(words, WIDTH, subsequent_indent="    ")],
                   imports=listed("from numpy import (", sorted(names), ")"),
                   helpers=", ".join(helpers), elementary=", ".join(elementary),
+                  tables=", ".join(numpy_tables.names(f.program for f in functions)),
                   functions=made)
 
 

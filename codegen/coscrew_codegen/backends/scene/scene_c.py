@@ -14,10 +14,11 @@ from coscrew_codegen.backends import version
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.backends.c.c_stores import Layout
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
-from coscrew_codegen.backends.scene import scene_c_runtime, scene_text
+from coscrew_codegen.backends.scene import scene_c_columns, scene_c_runtime, scene_text
 from coscrew_codegen.backends.scene.scene_c_parts import FunctionParts
 from coscrew_codegen.backends.scene.scene_c_steps import step_body
 from coscrew_codegen.backends.scene.scene_text import c_name
@@ -39,10 +40,12 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     plans = scene_text.plans(scene)
     parts = FunctionParts(scene, plans)
     made = {p: list(functions_of(scene, plans, parts, p)) for p in named(scene.precisions)}
+    tables = {p: c_tables.written([f.program for f in scene.functions], p) for p in made}
     remedy = f"{scene.name}f.c has the same functions in single precision" \
         if SINGLE in made else "generate with --precision single"
-    sources = [Source(scene.name, scene.name, p, plans, [Section(p, functions)], bool(parts.cuts),
-                      remedy if p == DOUBLE else "") for p, functions in made.items()]
+    sources = [Source(scene.name, scene.name, p, plans, [Section(p, functions, tables[p])],
+                      bool(parts.cuts), remedy if p == DOUBLE else "")
+               for p, functions in made.items()]
     return {f"{scene.name}.h": header(scene.name, scene.name, about(scene), made, banner,
                                       macros(scene), indices(scene)),
             **{x.path: x.text(banner) for x in sources}, **scene_c_runtime.files()}
@@ -54,6 +57,7 @@ class Section:
 
     working: Precision
     functions: Sequence[CFunction]
+    tables: str  # which they read
 
 
 @dataclass(frozen=True)
@@ -81,7 +85,8 @@ class Source:
             x.body for x in functions if x.internal or x.name in planned])
         return render("scene/scene.c", banner=banner, name=self.name, upper=self.scene.upper(),
                       precision=self.precision, names=[comment_of(names)] if names else [],
-                      parts=self.parts, sections=self.sections,
+                      parts=self.parts, columns=any(scene_c_columns.ABOVE in x for x in bodies),
+                      sections=self.sections,
                       **included(bodies, self.refused))
 
 

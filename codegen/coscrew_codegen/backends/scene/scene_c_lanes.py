@@ -13,6 +13,7 @@ from functools import cached_property
 from coscrew_codegen.backends.c import c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_statements import comment_of
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.python_extension.scene_calls import callables
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene import scene_c_tier, scene_text
@@ -43,6 +44,12 @@ class VectorKernels:
     def functions(self) -> list[CFunction]:
         """Their text."""
         return [_static(x) for section in self.sections for x in section.functions]
+
+    @property
+    def tables(self) -> str:
+        """The tables that they read."""
+        return c_tables.written([f.program for x in self.sections for f in x.scene.functions],
+                                in_lanes(self.precision))
 
     @cached_property
     def elementary(self) -> list[c_elementary.ElementaryText]:

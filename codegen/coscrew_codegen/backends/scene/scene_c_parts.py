@@ -19,6 +19,7 @@ from coscrew_codegen.backends.c.c_together import together
 from coscrew_codegen.backends.c_early_stores import has_many_results
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
+from coscrew_codegen.backends.scene.scene_c_columns import ColumnLoop, column_loops
 from coscrew_codegen.backends.scene.scene_text import (
     VALUE_WIDTH,
     access,
@@ -29,8 +30,9 @@ from coscrew_codegen.backends.scene.scene_text import (
     size,
 )
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.splitting.columns import has_columns
+from coscrew_codegen.program.splitting.parts import Cut, Group, cut
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.quantity import Argument
 
@@ -42,10 +44,15 @@ LONGEST = 600
 _OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
 
 
-def _cuts(plans: Sequence[NestingPlan]) -> dict[str, Cut]:
-    """The long functions, which are cut, by name."""
-    long = [plan.program for plan in plans if len(plan.program.instructions) > LONG]
-    return cut([_angles_first(x) for x in long], LONGEST)
+def _cuts(plans: Sequence[NestingPlan], loops: bool) -> dict[str, Cut]:
+    """The long functions, which are cut, by name; short ones only where a loop over columns is."""
+    programs = [plan.program for plan in plans]
+    long = [x for x in programs if len(x.instructions) > LONG]
+    result = cut([_angles_first(x) for x in long], LONGEST, columns=loops)
+    for x in programs if loops else ():
+        if x.name not in result and has_columns(x):
+            result |= cut([_angles_first(x)], LONG, columns=True)
+    return result
 
 
 def _angles_first(program: Program) -> Program:
@@ -60,15 +67,22 @@ def _angles_first(program: Program) -> Program:
 
 
 class FunctionParts:
-    """The functions of a scene that are cut into parts, as C."""
+    """The functions of a scene that are cut into parts, as C; with `loops` over columns that are
+    alike: on vectors of states, and on devices, these are slower than straight lines."""
 
-    def __init__(self, scene: SceneFunctions, plans: Sequence[NestingPlan]):
-        self.scene, self.cuts = scene, _cuts(plans)
+    def __init__(self, scene: SceneFunctions, plans: Sequence[NestingPlan], loops: bool = True):
+        self.scene, self.cuts = scene, _cuts(plans, loops)
         self.wide = any(plan.program.wide for plan in plans)
         assigned = {plan.program.name: plan.assigned for plan in plans}
         self._groups = {group.name: group for cut in self.cuts.values() for group in cut.groups}
+        self._loops = {x.part.name: x for x in column_loops(self._groups.values())} \
+            if loops else {}
+        self._slots: dict[str, dict[str, str]] = {name: {} for name in self._groups}
+        for loop in self._loops.values():
+            self._slots[loop.group.name] |= loop.slots
         self._plans = {part.name: self._planned(part, assigned[group.users[0]])
-                       for group in self._groups.values() for part in group.parts}
+                       for group in self._groups.values() for part in group.parts
+                       if part.name not in self._loops}
         self._words = {f.program.instructions[place].component.rpartition(":")[0]: printable(words)
                        for f in scene.functions if f.name in self.cuts
                        for place, words in f.headings}
@@ -76,6 +90,9 @@ class FunctionParts:
         self._read_of = self._values_read()
         self._stored = {f.name: stored for f in scene.functions if f.name in self.cuts
                         and (stored := self._stored_by_parts(f))}
+
+    def _loops_of(self, group: Group) -> list[ColumnLoop]:
+        return [x for x in self._loops.values() if x.group is group]
 
     def _values_read(self) -> dict[str, set[str]]:
         """The values of each group that parts read."""
@@ -98,7 +115,10 @@ class FunctionParts:
         cut, copies = self.cuts[function.name], self._copies(function, precision)
         declared = [*(f"{precision.c_type} {copy}[{size(self._inputs[x])}];\n"
                       f"memcpy({copy}, {x}, sizeof {copy});" for x, copy in copies.items()),
-                    *(f"{self._struct(group, precision)} {group.name};" for group in cut.groups)]
+                    *(f"{self._struct(group, precision)} {group.name};"
+                      for group in cut.groups),
+                    *(line for group in cut.groups for loop in self._loops_of(group)
+                      for line in loop.cleared)]
         calls = [self._call(group, part, precision, copies)
                  for group in cut.groups for part in group.parts]
         stored = {target for targets in self._stores(cut.groups[-1], precision).values()
@@ -117,9 +137,12 @@ class FunctionParts:
         *others, last = group.users
         users = f"{', '.join(others)} and {last}" if others else last
         members = listed(f"{self._working(precision).c_type} ", [
-            x for x in group.kept if not self._only_stored(group, x, precision)], ";", WIDTH - 2)
+            x for x in group.kept if not self._only_stored(group, x, precision)
+            and x not in self._slots[group.name]], ";", WIDTH - 2)
+        arrays = [x.declared(self._working(precision)) for x in self._loops_of(group)]
         struct = "\n".join((comment_of([f"The values that parts of {users} share."]),
-                            f"{self._struct(group, precision)} {{", _indented([members]), "};"))
+                            f"{self._struct(group, precision)} {{",
+                            _indented([members, *arrays]), "};"))
         for number, part in enumerate(group.parts):
             links = dict.fromkeys(self._words.get(words, printable(words)).partition(":")[0]
                                   for _, words in headings(part))
@@ -139,6 +162,14 @@ class FunctionParts:
         """Declarations; kept values are stored as soon as they are computed, since values that are
         stored at the end occupy registers until then."""
         kept, stores = _computed(part), self._stores(group, precision)
+        if part.name in self._loops:
+            yield from self._loops[part.name].lines(
+                self._working(precision), self._read(part, precision), lambda name, text: (
+                    *([(self._member(group, name, "->"), text)] if name in kept
+                      and not self._only_stored(group, name, precision) else []),
+                    *((target, self._narrowed(precision) + text)
+                      for target in stores.get(name, ()))))
+            return
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
             language(part, precision), self._read(part, precision), above)
@@ -147,7 +178,7 @@ class FunctionParts:
             assigned = list(run)
             yield from declarations(assigned, self._working(precision), WIDTH - 2)
             names = [name for x in assigned if not isinstance(x, str) for name in x.names]
-            yield from (f"{group.name}->{x} = {x};" for x in names
+            yield from (f"{self._member(group, x, '->')} = {x};" for x in names
                         if x in kept and not self._only_stored(group, x, precision))
             yield from in_lines([(target, self._narrowed(precision) + x) for x in names
                                  for target in stores.get(x, ())], WIDTH - 2)
@@ -238,6 +269,10 @@ class FunctionParts:
         converted = read_by(part, precision, plain)
         return lambda x: (plain if part.inputs[x.argument].name in self._groups else converted)(x)
 
+    def _member(self, group: Group, value: str, member: str) -> str:
+        """The text of a value that a group keeps."""
+        return f"{group.name}{member}{self._slots[group.name].get(value, value)}"
+
     def _returned(self, last: Program, precision: Precision, copies: Mapping[str, str]
                   ) -> Callable[[Input], str]:
         """The text of a result that a group or an argument holds, in this precision."""
@@ -256,7 +291,8 @@ class FunctionParts:
         def operand_text(operand: Input) -> str:
             name = program.inputs[operand.argument].name
             if name in self._groups:
-                return f"{name}{member}{self._groups[name].kept[operand.index]}"
+                group = self._groups[name]
+                return self._member(group, group.kept[operand.index], member)
             return plain(operand)
         return operand_text
 

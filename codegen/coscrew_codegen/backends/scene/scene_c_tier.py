@@ -10,6 +10,7 @@ from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends.c import c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.c.tables import c_tables
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.scene import scene_c, scene_c_runtime, scene_text
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
@@ -38,7 +39,8 @@ class TierSection:
     @cached_property
     def parts(self) -> FunctionParts:
         """The functions that are cut."""
-        return FunctionParts(self.scene, self.plans)
+        return FunctionParts(self.scene, self.plans,
+                             loops=not (self.precision.lanes or self.precision.device))
 
     @cached_property
     def functions(self) -> list[CFunction]:
@@ -62,6 +64,11 @@ class TierSection:
     def working(self) -> Precision:
         """The precision in which they compute."""
         return scene_text.working([plan.program for plan in self.plans], self.precision)
+
+    @property
+    def tables(self) -> str:
+        """The tables that they read."""
+        return c_tables.written([f.program for f in self.scene.functions], self.working)
 
     @property
     def called(self) -> frozenset[str]:
@@ -93,7 +100,7 @@ def _source(made: SceneTier, precision: Precision, sections: Sequence[TierSectio
         remedy = f"{made.stem}f.c has the same functions in single precision"
     return scene_c.Source(
         made.stem, made.plain.name, precision, [plan for x in sections for plan in x.plans],
-        [scene_c.Section(x.working, x.functions) for x in sections],
+        [scene_c.Section(x.working, x.functions, x.tables) for x in sections],
         any(x.parts.cuts for x in sections),
         remedy if DOUBLE in {x.working for x in sections} else "")
 

@@ -77,7 +77,7 @@ def difference(recorder: Recorder, tree: Tree, names: Sequence[str], q1: Sequenc
 
 def velocities(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
                rates: Sequence[Number]) -> list[Number]:
-    """The velocities at which q changes at these rates."""
+    """The velocities at which q changes at these rates; then the rates of effects' states."""
     results: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
@@ -86,11 +86,11 @@ def velocities(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
             own, rate = q[link.q.start:link.q.stop], rates[link.q.start:link.q.stop]
             manifold = link.joint.kind.manifold
             results += manifold.velocities(own, rate) if manifold else rate
-    return results
+    return [*results, *rates[tree.nq:]]
 
 
 def rates(motion: Motion, v: Sequence[Number]) -> list[Number]:
-    """q' at these velocities, with the states of effects held."""
+    """q' at these velocities; effects' states have the rates behind them, or are held."""
     results: list[Number] = []
     for number, link in enumerate(motion.tree.links):
         if link.driver:
@@ -98,12 +98,14 @@ def rates(motion: Motion, v: Sequence[Number]) -> list[Number]:
         own, manifold = v[link.v.start:link.v.stop], link.joint.kind.manifold
         state = motion.state(number)
         results += manifold.rates(state, state.q, own) if manifold else own
-    return [*results, *(motion.zero[0] for _ in motion.x)]
+    return [*results, *(v[motion.tree.nv:] or (motion.zero[0] for _ in motion.x))]
 
 
-def chart(motion: Motion) -> list[list[Number | None]]:
+def chart(motion: Motion, states: bool = False) -> list[list[Number | None]]:
     """∂(q ⊕ φ)/∂φ at φ = 0, row by row: how each coordinate moves with each velocity; None where it
-    does not, whatever q is, as the states of effects behind them."""
+    does not, whatever q is, as the states of effects behind them.  With `states` these have columns
+    of their own."""
+    width = motion.tree.nv + (len(motion.x) if states else 0)
     rows: list[list[Number | None]] = []
     for number, link in enumerate(motion.tree.links):
         if link.driver:
@@ -114,11 +116,12 @@ def chart(motion: Motion) -> list[list[Number | None]]:
             unit = motion.recorder.numbers([int(i == k) for i in range(len(link.v))])
             columns.append(manifold.rates(state, state.q, unit) if manifold else unit)
         for own in zip(*columns, strict=True):
-            row: list[Number | None] = [None] * motion.tree.nv
+            row: list[Number | None] = [None] * width
             row[link.v.start:link.v.stop] = [None if x.is_zero else x for x in own]
             rows.append(row)
-    held: list[Number | None] = [None] * motion.tree.nv
-    return [*rows, *(list(held) for _ in motion.x)]
+    one = motion.recorder.number(1)
+    return [*rows, *([one if motion.tree.nv + k == j else None for j in range(width)]
+                     for k in range(len(motion.x)))]
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:

@@ -3,43 +3,36 @@
 An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v represent the
 damping and stiffness of the effects within the step.  For effects at joints these are diagonal, for
 forces on a point they are point masses, with another mass along one direction, and for forces
-between two bodies and effects on sums of coordinates they are terms m e e^T with the row e^T of the
-rate l' = e^T v, so that a common motion of both bodies is not damped.
+between two bodies and effects on sums of coordinates they are terms m e e^T of rows e^T, whose
+rates are e^T v, so that a common motion of both bodies is not damped.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from coscrew_codegen.algebra.recording.numbers import (
-    Number,
-    add,
-    dot,
-    scaled,
-    subtract,
-)
+from coscrew_codegen.algebra.recording.numbers import Number, add, dot, subtract
 from coscrew_codegen.dynamics.algorithms import aba, crba, rnea
 from coscrew_codegen.dynamics.algorithms.aba import Articulated, Joint
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored, product
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.contacts.soft_rows import (
-    SoftRow,
-    Solve,
-    Weights,
-    axes_about,
-    with_soft_rows,
-)
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.forces.own_inertias import OwnInertias
 from coscrew_codegen.dynamics.forces.resisted_bodies import LinkRow, resisted, with_slopes
 from coscrew_codegen.dynamics.forces.rotors import Eliminated, eliminated
-from coscrew_codegen.scene.effect import required
+from coscrew_codegen.dynamics.forces.soft_rows import (
+    Inverse,
+    SoftRow,
+    SoftRows,
+    Weights,
+    axes_about,
+)
+from coscrew_codegen.scene.effect import Slopes, required
 
-Inverse = Callable[[Sequence[Number]], list[Number]]
-"""e -> (M + m)⁻¹ e."""
+Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
 
 
 @dataclass(frozen=True)
@@ -72,7 +65,9 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
     initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
-    torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
+    apart = acting.without_rows()
+    before = apart if start is acting else start.without_rows()
+    torques = _without_own_bias(motion, inertias, _torques(apart, before, tau))
     damping, stiffness = slopes_at_joints(start)
     rates, moved = list(damping), list(own)
     geared = {motion.tree.links[n].v.start: (x, start.rotors[n]) for n, x in acting.rotors.items()}
@@ -92,25 +87,19 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
 
     joint: Joint = at_joint
     solve = _solver(motion, inertias, *resisted(motion, start, rigids, weights))
-    for number, pair in enumerate(start.pairs):
-        with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
-            e = _along_velocities(motion, pair.unit_wrenches)
-            solve, joint = _with_line(motion, e, pair.along,
-                                      acting.pairs[number].along, weights, solve, joint)
-    for number, x in enumerate(start.sums):
-        if len(x.weights) > 1:
-            with motion.recorder.part(f"sum_{number}", heading="sums of coordinates"):
-                e = row(motion, x.weights)
-                solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
-                                          solve, joint)
-    if start.touches:
-        with motion.recorder.part("touches", heading="contacts of bodies"):
-            solve, joint = with_soft_rows(_soft_rows(motion, start, acting), weights, solve, joint,
-                                          _still(motion))
-    wrenches = rnea.net_wrenches(motion, rigids, acting)
+    wrenches = rnea.net_wrenches(motion, rigids, apart)
     a = solve(joint, with_slopes(motion, wrenches, acting, start, rigids, weights))
-    return Implicit(a, rates, moved, lambda e: solve(
-        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)), rotors)
+
+    def inverse(e: Sequence[Number]) -> list[Number]:
+        return solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
+
+    with motion.recorder.part("rows", heading="forces between bodies and on sums of coordinates"):
+        rows = list(_soft_rows(motion, start, acting))
+        if not rows:
+            return Implicit(a, rates, moved, inverse, rotors)
+        coupled = SoftRows(rows, weights, inverse)
+        return Implicit(coupled.with_forces(a), rates, moved,
+                        lambda e: coupled.resisting(inverse(e)), rotors)
 
 
 def row(motion: Motion, weights: Mapping[int, Number | Fraction]) -> list[Number]:
@@ -119,18 +108,34 @@ def row(motion: Motion, weights: Mapping[int, Number | Fraction]) -> list[Number
     return [motion.recorder.number(x) if isinstance(x, Fraction) else x for x in given]
 
 
-def _soft_rows(motion: Motion, start: AppliedEffects, acting: AppliedEffects) -> list[SoftRow]:
-    """Three rows of each contact of two bodies: along the normal, and two across it."""
-    rows = []
+def _soft_rows(motion: Motion, start: AppliedEffects, acting: AppliedEffects
+               ) -> Iterator[SoftRow]:
+    """The rows of pairs, of sums of several coordinates, and of contacts of two bodies."""
+    moved, zero = start is not acting, motion.zero[0]
+    for pair, its in zip(start.pairs, acting.pairs, strict=True):
+        n, *across = axes_about(pair.direction)
+        yield _row_of(_along_velocities(motion, pair.unit_wrenches(n)), pair.along, its.along)
+        if not pair.along.slopes.stiffness.is_zero:
+            for x in across:
+                yield SoftRow(_along_velocities(motion, pair.unit_wrenches(x)),
+                              Slopes(zero, pair.tension), dot(x, pair.u), zero)
+    for total, sums in zip(start.sums, acting.sums, strict=True):
+        if len(total.weights) > 1:
+            yield _row_of(row(motion, total.weights), total.along, sums.along)
     for touch, now in zip(start.touches, acting.touches, strict=True):
         between, law = touch.between, touch.between.law
-        for direction, slopes in zip(axes_about(between.n), (law.along, law.across, law.across),
-                                     strict=True):
-            e = _along_velocities(motion, touch.unit_wrenches(direction))
-            rate = dot(direction, between.u)
-            faster = None if start is acting else dot(direction, now.between.u) - rate
-            rows.append(SoftRow(e, slopes, rate, faster))
-    return rows
+        for x, slopes in zip(axes_about(between.n), (law.along, law.across, law.across),
+                             strict=True):
+            rate = dot(x, between.u)
+            yield SoftRow(_along_velocities(motion, touch.unit_wrenches(x)), slopes, rate,
+                          dot(x, now.between.law.force),
+                          dot(x, now.between.u) - rate if moved else None, contact=True)
+
+
+def _row_of(e: list[Number], along: JointEffect, now: JointEffect) -> SoftRow:
+    """The row of a torque along a coordinate."""
+    return SoftRow(e, along.slopes, along.at.v, required(now.torque.torque),
+                   None if now is along else now.at.v - along.at.v)
 
 
 def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
@@ -269,33 +274,6 @@ def _solver(motion: Motion, inertias: OwnInertias, rigids: Sequence[Rigid],
             return factored(A).solve(subtract(torques, bias))
 
     return solve
-
-
-def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: JointEffect,
-               weights: Weights, solve: Solve, joint: Joint) -> tuple[Solve, Joint]:
-    """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
-    the initial rate l' = e·v, d (l'_now - l') e added.
-
-    a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
-    zero, and 1/(e·w) is the inertia that the effect acts on."""
-    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
-    slopes, rate, mobility = along.slopes, along.at.v, product(e, w)
-    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * mobility)
-    share = mass / (1 + mass * mobility)
-    pull = c * rate
-    if now is not along:
-        pull = pull - slopes.damping * (now.at.v - rate)
-    less = scaled(pull, e)
-
-    def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
-        a = solve(joint, wrenches)
-        return list(subtract(a, scaled(share * product(e, a), w)))
-
-    def joint_with_line(k: int, inertia: Number) -> tuple[Number, Number]:
-        torque, own = joint(k, inertia)
-        return torque - less[k], own
-
-    return coupled, joint_with_line
 
 
 def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) -> list[Number]:

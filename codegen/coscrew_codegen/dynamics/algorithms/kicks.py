@@ -27,11 +27,11 @@ from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled,
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.contacts.bouncing import Touching, touching
-from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.rotors import Eliminated
+from coscrew_codegen.dynamics.forces.soft_rows import Weights
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber

@@ -7,10 +7,11 @@ pivot serves its row of L and every solution.  Factorization and one solution of
 zeros take 86 products, 65 sums and 6 divisions; mat6x6_ldl and mat6x6_ldl_solve take 65 products,
 65 sums, 27 divisions, 15 comparisons and 21 choices."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.numbers import Number, negative
+from coscrew_codegen.program.splitting.columns import FEWEST, marked
 
 
 @dataclass(frozen=True)
@@ -20,19 +21,24 @@ class Factors:
     L: tuple[tuple[Number, ...], ...]
     inverse: tuple[Number, ...]
 
-    def solve(self, b: Sequence[Number]) -> list[Number]:
-        """x with A x = b."""
-        x: list[Number] = []
+    def solve(self, b: Sequence[Number], given: Collection[int] = ()) -> list[Number]:
+        """x with A x = b; entries of b that are zero are not read, except those `given`."""
+        x: list[Number | None] = []  # None is zero
         for i, row in enumerate(self.L):
-            value = b[i]
-            for k in range(i):
-                value = value - row[k] * x[k]
-            x.append(value)
-        x = [value * d for value, d in zip(x, self.inverse, strict=True)]
+            own = None if b[i].is_zero and i not in given else b[i]
+            x.append(_less(own, zip(row, x, strict=False)))
+        x = [y if y is None else y * d for y, d in zip(x, self.inverse, strict=True)]
         for i in reversed(range(len(x))):
-            for k in range(i + 1, len(x)):
-                x[i] = x[i] - self.L[k][i] * x[k]
-        return x
+            x[i] = _less(x[i], ((self.L[k][i], x[k]) for k in range(i + 1, len(x))))
+        return [b[0].like(0) if y is None else y for y in x]
+
+    def reached(self, rows: Iterable[int]) -> frozenset[int]:
+        """The rows of L^-1 b that are not zero where these rows of b are not."""
+        result = set(rows)
+        for i, row in enumerate(self.L):
+            if any(k in result and not y.is_zero for k, y in enumerate(row)):
+                result.add(i)
+        return frozenset(result)
 
     def inverted(self) -> list[list[Number]]:
         """A⁻¹ = L⁻ᵀ D⁻¹ L⁻¹; entries above the diagonal are copies."""
@@ -51,6 +57,14 @@ class Factors:
                     value = value - self.L[k][i] * X[max(k, j)][min(k, j)]
                 X[i][j] = X[j][i] = value
         return X
+
+
+def _less(value: Number | None, terms: Iterable[tuple[Number, Number | None]]) -> Number | None:
+    """value - Σ a b, without products with zeros."""
+    for a, b in terms:
+        if b is not None and not a.is_zero:
+            value = -(a * b) if value is None else value - a * b
+    return value
 
 
 def factored(A: Sequence[Sequence[Number]]) -> Factors:
@@ -83,6 +97,28 @@ class LeafFactors:
     def solve(self, b: Sequence[Number]) -> list[Number]:
         """x with A x = b."""
         return self.reversed_factors.solve(b[::-1])[::-1]
+
+    def solve_columns(self, columns: Mapping[str, Sequence[Number]]) -> list[list[Number]]:
+        """The solutions x with A x = -b for these b, by name.
+
+        Columns whose entries reach the same rows are computed alike: those that are not zero in all
+        of them are read, and no signs are folded, so that they differ in values alone."""
+        factors, results = self.reversed_factors, list[list[Number]]()
+        backwards = [column[::-1] for column in columns.values()]
+        rows = [{n for n, y in enumerate(column) if not y.is_zero} for column in backwards]
+        reached = [factors.reached(x) for x in rows]
+        for name, b, of in zip(columns, backwards, reached, strict=True):
+            recorder, several = b[0].recorder, reached.count(of) >= FEWEST
+            with recorder.part(marked(name)):
+                if not several or len(of) < 2:
+                    x = factors.solve(negative(b))
+                else:
+                    given = set[int]().union(*(
+                        x for x, other in zip(rows, reached, strict=True) if other == of))
+                    with recorder.unfolded():
+                        x = [*negative(factors.solve(b, given))]
+            results.append(x[::-1])
+        return results
 
     def inverse(self) -> list[list[Number]]:
         """A⁻¹, symmetric to the bit: entries above the diagonal are copies."""

@@ -1,1 +1,1 @@
-"""Contacts of bodies in steps: rows of an implicit step, the parts that bounces need, values."""
+"""Contacts of bodies in steps: the parts that bounces need, values."""

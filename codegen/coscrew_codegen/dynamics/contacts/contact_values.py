@@ -23,21 +23,24 @@ _LEAST = Fraction(1, 10**30)
 
 
 def contact_values(motion: Motion, acting: AppliedEffects
-                   ) -> tuple[list[Number], list[Number], list[Number], list[Number]]:
+                   ) -> tuple[list[Number], ...]:
     """The point of each contact and the force there on its (first) body, in the world's frame; the
-    depth over the one at rest; and the share of mu N that friction takes, 1 where it slips."""
+    depth over the one at rest; the share of mu N that friction takes, 1 where it slips; and the
+    normal."""
     points: list[Number] = []
     forces: list[Number] = []
     depths: list[Number] = []
     shares: list[Number] = []
+    normals: list[Number] = []
     for point, force, n, contact, mu in _contacts(motion, acting):
         N = dot(force, n)
         friction = subtract(force, scaled(N, n))
         points += point
         forces += force
+        normals += n
         depths.append(maximum(-contact.gap, 0) / contact.resting)
         shares.append(sqrt(dot(friction, friction)) / maximum(mu * N, _LEAST))
-    return points, forces, depths, shares
+    return points, forces, depths, shares, normals
 
 
 def _contacts(motion: Motion, acting: AppliedEffects

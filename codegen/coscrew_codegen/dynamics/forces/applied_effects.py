@@ -112,7 +112,7 @@ class AppliedEffects:
         if effect.pair_force:
             pair = self._pair(effect.pair_force, applied)
             for state, force in zip(pair.states, pair.forces, strict=True):
-                self._add(state, force)
+                self._add(state, force, mutual=True)
             self.pairs.append(pair)
         if effect.bodies_force:
             self._touch(effect.bodies_force, applied)
@@ -209,11 +209,11 @@ class AppliedEffects:
         separation = first.line_to(a, second, b)
         length = sqrt(dot(separation, separation))
         direction = scaled(1 / maximum(length, CLOSEST), separation)
-        rate = dot(direction, subtract(second.world_direction(second.velocity(b)),
-                                       first.world_direction(first.velocity(a))))
-        return Paired((first, second), (a, b), direction,
-                      JointEffect(law, CoordinateState(length, rate, self.t), applied.values,
-                                  self.recorder.current))
+        u = subtract(second.world_direction(second.velocity(b)),
+                     first.world_direction(first.velocity(a)))
+        at = CoordinateState(length, dot(direction, u), self.t)
+        return Paired((first, second), (a, b), direction, u,
+                      JointEffect(law, at, applied.values, self.recorder.current))
 
     def _touch(self, law: Callable[[TwoBodies, Values], Between], applied: Applied) -> None:
         first, second = (self._body(name) for name in applied.bodies)
@@ -222,13 +222,22 @@ class AppliedEffects:
         between = law(two, settings(self.recorder, applied.values, self.t))
         touch = Touch((first, second), between)
         for state, force in zip(touch.states, touch.forces, strict=True):
-            self._add(state, force)
+            self._add(state, force, mutual=True)
         if two.x:
             self._note(applied, MovingStates(two.x, between.law))
         self.touches.append(touch)
 
-    def _add(self, state: BodyOfLink, force: Force) -> None:
-        self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
+    def _add(self, state: BodyOfLink, force: Force, mutual: bool = False) -> None:
+        self.forces.setdefault(state.link, []).append(AppliedForce(state, force, mutual))
+
+    def without_rows(self) -> "AppliedEffects":
+        """These effects, without forces between bodies and torques on sums of several coordinates.
+        """
+        result = copy(self)
+        result.forces = {link: [x for x in forces if not x.mutual]
+                         for link, forces in self.forces.items()}
+        result.sums = [x for x in self.sums if len(x.weights) == 1]
+        return result
 
     def with_later(self, later: "AppliedEffects") -> "AppliedEffects":
         """These effects, with the larger damping of both where it starts at once."""

@@ -48,4 +48,5 @@ def _surface(height: Formula, x: Number, y: Number) -> tuple[Number, Number, Num
 def _functions(recorder: Recorder) -> dict[str, object]:
     return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
             "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
-            "less": n.less, "where": n.where, "pi": recorder.number(constant_pi())}
+            "less": n.less, "where": n.where, "index": n.index, "gather": n.gather,
+            "pi": recorder.number(constant_pi())}

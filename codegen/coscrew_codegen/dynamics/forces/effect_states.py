@@ -9,6 +9,7 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.moving_states import MovingStates
 from coscrew_codegen.dynamics.forces.rotors import eliminated
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.scene.effect import Torque, required
 
 Numbers = Sequence[Number]
 
@@ -48,6 +49,18 @@ def _after(own: MovingStates, h: Number) -> Vector:
         speed = own.x[1] + h * turned.acceleration(h.like(0))
         return own.x[0] + h * speed, speed
     return add(own.x, scaled(h, own.rates))
+
+
+def bristles(x: FunctionRecording) -> list[Numbers]:
+    """The energy that bristles store, and the power of the effects that have them, without that of
+    their potential energies."""
+    stored, power = x.recorder.number(0), x.recorder.number(0)
+    for law in (own.law for own in acting(x).states):
+        if law.stored is not None:
+            stored = stored + law.stored
+            power = power + (required(law.torque) * law.rates[0] if isinstance(law, Torque) else
+                             required(law.power))
+    return [[stored], [power]]
 
 
 def switches(x: FunctionRecording) -> list[Number]:

@@ -4,10 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from coscrew_codegen.algebra.recording.numbers import Number, Vector, negative, scaled
+from coscrew_codegen.algebra.recording.numbers import Number, Vector, maximum, negative, scaled
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, own_power
 from coscrew_codegen.scene.effect import Between, Force, PointSlopes, Slopes, required
+
+UnitWrench = tuple[int, tuple[Number, ...]]
+"""(link, wrench on it)."""
 
 
 @dataclass(frozen=True)
@@ -16,6 +19,7 @@ class AppliedForce:
 
     state: BodyOfLink
     force: Force
+    mutual: bool = False  # the opposite force acts on another body
 
     @property
     def wrench(self) -> tuple[Number, ...]:
@@ -81,6 +85,7 @@ class Paired:
     states: tuple[BodyOfLink, BodyOfLink]
     points: tuple[Vector, Vector]
     direction: Vector  # of length 1, in the world's frame
+    u: Vector  # the velocity of the second point relative to the first, in the world's frame
     along: JointEffect
 
     @property
@@ -97,14 +102,15 @@ class Paired:
                 Force(self.points[1], second.own_direction(negative(pull)), power=zero))
 
     @property
-    def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
-        """(link, wrench on it) for forces of 1 N that separate the points."""
-        first, second = self.states
-        u = self.direction
-        forces = (Force(self.points[0], first.own_direction(negative(u))),
-                  Force(self.points[1], second.own_direction(u)))
-        return [(state.link, AppliedForce(state, force).on_link)
-                for state, force in zip(self.states, forces, strict=True)]
+    def tension(self) -> Number:
+        """The pull of the points over their distance, at least 0: the stiffness across the line."""
+        pull = maximum(-required(self.along.torque.torque), 0)
+        return pull * (1 / maximum(self.along.at.q, CLOSEST))
+
+    def unit_wrenches(self, direction: Vector) -> list[UnitWrench]:
+        """(link, wrench on it) for forces of 1 N against a direction on the first, along it on the
+        second."""
+        return _opposite(self.states, self.points, negative(direction))
 
 
 @dataclass(frozen=True)
@@ -122,12 +128,17 @@ class Touch:
         return (Force(here, first.own_direction(law.force), energy=law.energy, power=law.power),
                 Force(there, second.own_direction(negative(law.force)), power=law.power.like(0)))
 
-    def unit_wrenches(self, direction: Vector) -> list[tuple[int, tuple[Number, ...]]]:
+    def unit_wrenches(self, direction: Vector) -> list[UnitWrench]:
         """(link, wrench on it) for forces of 1 N along a direction on the first, against it on the
         second."""
-        return [(state.link, AppliedForce(state, Force(place, state.own_direction(x))).on_link)
-                for state, place, x in zip(self.states, self.between.places, (
-                    direction, negative(direction)), strict=True)]
+        return _opposite(self.states, self.between.places, direction)
+
+
+def _opposite(states: tuple[BodyOfLink, BodyOfLink], points: tuple[Vector, Vector],
+              direction: Vector) -> list[UnitWrench]:
+    return [(state.link, AppliedForce(state, Force(point, state.own_direction(x))).on_link)
+            for state, point, x in zip(states, points, (direction, negative(direction)),
+                                       strict=True)]
 
 
 @dataclass(frozen=True)

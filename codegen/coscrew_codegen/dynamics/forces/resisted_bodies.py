@@ -18,9 +18,9 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.contacts.soft_rows import Weights
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
+from coscrew_codegen.dynamics.forces.soft_rows import Weights
 from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
 
 _LEAST = Fraction(1, 10**30)

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 
@@ -17,6 +18,7 @@ from coscrew_codegen.program import Constant, Instruction, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate, exactly
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.program.scene_functions import FunctionProgram
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.formats import Precision, named
 from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.mechanism.model import value
@@ -97,7 +99,7 @@ def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequ
     return results
 
 
-_VALUES = exactly(math)
+_VALUES: Mapping[Op, Callable[..., Any]] = {**exactly(math), Op.GATHER: TableColumn.at}
 
 
 def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:

@@ -6,8 +6,9 @@ from fractions import Fraction
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, ValueBounds, followed
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds, followed
 from coscrew_codegen.program import Op, Program
+from coscrew_codegen.program.roundoff import RoundedRange
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import Precision, named
 from coscrew_codegen.scene.mechanism.ranges_of_model import ranges_of_model

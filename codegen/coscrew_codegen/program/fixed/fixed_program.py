@@ -2,40 +2,46 @@
 box, with proved bounds of its results' errors.
 
 The format of each value follows from its bounds: f is the largest with (size + error) 2^f <= 2^31 -
-2.  Bounds are those of roundings in floating point (`a b`: size a size b, …), with absolute errors:
+2.  Bounds are those of `program/roundoff.py`, with absolute errors of roundings:
 
     high product      half of the last bit, f = f_a + f_b - 32
+    wide product      the last bit, where it is shifted to the right
     rounded shift     half of the last bit
-    s x ± c y         where s and c are sine and cosine of the same number: at most √(x² + y²)
-
-Constants are the exact decimals.  Each bound is rounded up."""
+    sine, cosine      that of `fixed_sine.py`, f = 30"""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import floor, frexp, inf, ldexp
+from typing import NamedTuple
 
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.fixed import fixed_sine
 from coscrew_codegen.program.fixed.fixed_value import (
-    NONE,
     OF_ANGLES,
-    AlignedTerm,
     FixedValue,
     bits_for,
     fits,
     half_unit,
     of_integer,
     quantized,
-    rounded,
+    shift_error,
     shifts,
-    sum_of,
+    vanishes,
 )
 from coscrew_codegen.program.program import is_power_of_two, scales, without_dead_steps
-from coscrew_codegen.program.roundoff import Upward, product_error
+from coscrew_codegen.program.roundoff import (
+    CIRCULAR,
+    NONE,
+    RoundedRange,
+    Upward,
+    combined,
+    product,
+    total,
+    turned,
+)
 
-CIRCULAR = frozenset({Op.SIN, Op.COS})
 KNOWN = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *CIRCULAR})
 """Operations that fixed point has."""
 _WIDEST = 62  # bits of a sum of products, at most
@@ -58,6 +64,22 @@ class FixedProgram:
     program: Program
     inputs: tuple[tuple[FixedValue, ...], ...]
     results: tuple[FixedValue, ...]
+    lines: tuple["FixedLine", ...]
+
+
+class FixedLine(NamedTuple):
+    """An operation on values in fixed point, and its result: that of an instruction or, where a
+    term is smaller than the last bit of its sum, of none."""
+
+    op: Op
+    operands: tuple[FixedValue, ...]
+    value: FixedValue
+
+    @property
+    def name(self) -> str:
+        """The name of its result."""
+        return self.value.operand.name if isinstance(self.value.operand, Ref) else \
+            self.value.stands_for
 
 
 class NoFormatError(ValueError):
@@ -76,7 +98,7 @@ def _of_input(x: Input, size: float, angle: bool) -> FixedValue:
     if size == inf:
         raise NoFormatError("an argument has no bounds")
     bits = min(bits_for(size), OF_ANGLES) if angle else bits_for(size)
-    return FixedValue(x, bits, Upward(ldexp(-floor(-ldexp(size, bits)), -bits)))
+    return FixedValue(x, bits, RoundedRange(Upward(ldexp(-floor(-ldexp(size, bits)), -bits))))
 
 
 def in_fixed_point(program: Program, inputs: tuple[tuple[FixedValue, ...], ...],
@@ -88,7 +110,7 @@ def in_fixed_point(program: Program, inputs: tuple[tuple[FixedValue, ...], ...],
     results = tuple(map(writer.value, program.results))
     made = replace(program, instructions=tuple(writer.steps),
                    results=tuple(x.operand for x in results), fine=None)
-    return FixedProgram(without_dead_steps(made), inputs, results)
+    return FixedProgram(without_dead_steps(made), inputs, results, tuple(writer.lines))
 
 
 def angles_of(program: Program) -> frozenset[Operand]:
@@ -111,6 +133,7 @@ class _FixedWriter:
         self._wide: dict[str, FixedValue] = {}  # by name of its rounded value: 64 bits
         self._number = 0
         self.steps: list[Instruction] = []
+        self.lines: list[FixedLine] = []
 
     def value(self, x: Operand) -> FixedValue:
         """The value of an operand of the plain program; a constant has bits of its own."""
@@ -124,16 +147,18 @@ class _FixedWriter:
     def write(self, step: Instruction) -> None:
         """Writes the instructions for this one."""
         if step.name in self._summed:  # written with its sum
-            self._values[step.name] = self._multiple(step)
+            a, b = map(self.value, step.operands)
+            self._values[step.name] = FixedValue(Ref(step.name), a.bits + b.bits,
+                                                 product(a.bounds, b.bounds))
             return
         self._number = 0
         value = self._written(step)
         if Ref(step.name) in self._angles and value.bits > OF_ANGLES:
             value = self._shifted(step, value, OF_ANGLES)
         if isinstance(value.operand, Ref) and value.operand.name.startswith(f"{step.name}_term_"):
-            last = self.steps.pop()
-            self.steps.append(last._replace(name=step.name))
             value = value._replace(operand=Ref(step.name))
+            self.steps.append(self.steps.pop()._replace(name=step.name))
+            self.lines.append(self.lines.pop()._replace(value=value))
         if not value.reach < inf:
             raise NoFormatError(f"{step.name} has no bounds")
         self._values[step.name] = value
@@ -143,18 +168,22 @@ class _FixedWriter:
             return self._function(step)
         if step.op is Op.NEG:
             x = self.value(step.operands[0])
-            return x._replace(operand=self._issue(step, Op.NEG, x.operand))
+            return self._issue(step, Op.NEG, (x,), x.bits, combined(step, (x.bounds,)))
         if step.op is Op.MUL:
             return self._scaled(step) if scales(step) else self._product(step)
         return self._of_products(step) or self._total(step, *map(self.value, step.operands))
 
-    def _issue(self, step: Instruction, op: Op, *operands: Operand | int) -> Ref:
-        """An instruction towards `step`; the last gets its name."""
+    def _issue(self, step: Instruction, op: Op, operands: Sequence[FixedValue], bits: int,
+               bounds: RoundedRange, *integers: int) -> FixedValue:
+        """An instruction towards `step`, whose result has this f and these bounds; the last gets
+        its name.  Integers are further operands."""
         self._number += 1
-        given = tuple(of_integer(x) if isinstance(x, int) else x for x in operands)
-        self.steps.append(step._replace(name=f"{step.name}_term_{self._number}", op=op,
-                                  operands=given))
-        return Ref(self.steps[-1].name)
+        name = f"{step.name}_term_{self._number}"
+        self.steps.append(step._replace(name=name, op=op, operands=(
+            *(x.operand for x in operands), *map(of_integer, integers))))
+        value = FixedValue(Ref(name), bits, bounds)
+        self.lines.append(FixedLine(op, tuple(operands), value))
+        return value
 
     # functions and products
 
@@ -164,20 +193,8 @@ class _FixedWriter:
         own = fixed_sine.error(x.bits, x.reach)
         if own is None:
             raise NoFormatError(f"the angle {step.operands[0]} is too large")
-        size = min(Upward(1), x.size) if step.op is Op.SIN else Upward(1)
-        return FixedValue(self._issue(step, step.op, x.operand, x.bits), fixed_sine.BITS, size,
-                          x.error + own, (step.op, step.operands[0]))
-
-    def _multiple(self, step: Instruction) -> FixedValue:
-        """A product without a rounding: its bounds, and f of the 64-bit integer."""
-        a, b = map(self.value, step.operands)
-        result = FixedValue(Ref(step.name), a.bits + b.bits, a.size * b.size,
-                            product_error(a.size, a.error, b.size, b.error))
-        for x, y in ((a, b), (b, a)):
-            if x.circular and not x.factor:
-                rest = x.error * y.size + a.error * b.error
-                return result._replace(circular=x.circular, factor=y, rest=rest)
-        return result
+        return self._issue(step, step.op, (x,), fixed_sine.BITS, turned(step, x.bounds).rounded(
+            own), x.bits)
 
     def _scaled(self, step: Instruction) -> FixedValue:
         """A product with a power of two: another f."""
@@ -185,38 +202,50 @@ class _FixedWriter:
             if isinstance(factor, Constant) and is_power_of_two(factor):
                 value, power = self.value(x), frexp(factor.double)[1] - 1
                 times = Upward(ldexp(1, power))
-                return value._replace(
-                    bits=value.bits - power, size=value.size * times, error=value.error * times,
-                    circular=None, factor=None, rest=NONE)
+                return value._replace(bits=value.bits - power, bounds=RoundedRange(
+                    value.size * times, value.error * times))
         raise AssertionError(step)
 
     def _product(self, step: Instruction) -> FixedValue:
         """A rounded product."""
-        exact = self._multiple(step)
-        a, b = (self.value(x).operand for x in step.operands)
+        given = [self.value(x) for x in step.operands]
         if self._products is Products.HIGH:
-            given = [self._filled(step, self.value(x)) for x in step.operands]
+            given = [self._filled(step, x) for x in given]
             bits = given[0].bits + given[1].bits - 32
-            operand = self._issue(step, Op.HIGH_PRODUCT, *(x.operand for x in given))
-        else:
-            bits = self._narrow(exact, exact.bits)
-            wide = self._issue(step, Op.WIDE_PRODUCT, a, b, 0)
-            operand = self._issue(step, Op.ROUNDED_SHIFT, wide, exact.bits - bits)
-            self._wide[step.name] = exact._replace(operand=wide)
-        return rounded(exact, operand, bits, half_unit(bits) if bits < exact.bits else NONE)
+            exact = product(*(x.bounds for x in given))
+            return self._issue(step, Op.HIGH_PRODUCT, given, bits, exact.rounded(half_unit(bits)))
+        wide = self._wide[step.name] = self._multiple(step, given, 0)
+        return self._narrowed(step, wide, self._narrow(wide, wide.bits))
+
+    def _multiple(self, step: Instruction, given: Sequence[FixedValue], shift: int) -> FixedValue:
+        """A product of 64 bits, times a power of two: shifted to the right it is rounded down."""
+        bits = given[0].bits + given[1].bits + shift
+        exact = product(*(x.bounds for x in given))
+        lost = Upward(ldexp(1, -bits)) if shift < 0 else NONE
+        return self._issue(step, Op.WIDE_PRODUCT, given, bits, exact.rounded(lost), shift)
 
     def _filled(self, step: Instruction, x: FixedValue) -> FixedValue:
         """The factor with all its bits, if many are empty: a high product would lose as many."""
         empty = min(bits_for(x.reach) - x.bits, OF_ANGLES)
         if empty < _EMPTY or isinstance(x.operand, Constant):
             return x
-        return x._replace(bits=x.bits + empty, operand=self._issue(
-            step, Op.MUL, x.operand, 2**empty))
+        return self._to_the_left(step, x, x.bits + empty)
 
-    def _narrow(self, x: FixedValue, most: int, more: Upward = NONE) -> int:
-        """The largest f up to `most` of the value after a rounding, and further errors."""
-        bits = min(bits_for(x.reach + more), most)
-        while not fits(x.reach + more + half_unit(bits), bits):
+    def _to_the_left(self, step: Instruction, x: FixedValue, bits: int) -> FixedValue:
+        """The value with this larger f."""
+        return self._issue(step, Op.MUL, (x,), bits, x.bounds._replace(own=NONE),
+                           2**(bits - x.bits))
+
+    def _narrowed(self, step: Instruction, x: FixedValue, bits: int) -> FixedValue:
+        """The value with this f, rounded if that is smaller."""
+        lost = half_unit(bits) if bits < x.bits else NONE
+        return self._issue(step, Op.ROUNDED_SHIFT, (x,), bits, x.bounds.rounded(lost),
+                           x.bits - bits)
+
+    def _narrow(self, x: FixedValue, most: int) -> int:
+        """The largest f up to `most` of the value after a rounding."""
+        bits = min(bits_for(x.reach), most)
+        while not fits(x.reach + half_unit(bits), bits):
             bits -= 1
         return bits
 
@@ -224,26 +253,19 @@ class _FixedWriter:
 
     def _total(self, step: Instruction, a: FixedValue, b: FixedValue) -> FixedValue:
         """A sum or difference."""
-        exact = sum_of(a, b)
+        exact = total(a.bounds, b.bounds)
+        reach = exact.size + exact.error
         given = list(zip((a, b), step.operands, strict=True))
-        bits = min(bits_for(exact.reach), max(
+        bits = min(bits_for(reach), max(
             x.bits if not isinstance(of, Constant) or x.error else _least_bits(of)
             for x, of in given))
         bits = min(bits, *(min(bits_for(x.reach), x.bits + OF_ANGLES) for x, of in given
                            if not isinstance(of, Constant)))
-        while True:
-            terms = [self._term(step, x, of, bits) for x, of in given]
-            rounding = terms[0].error + terms[1].error
-            if fits(exact.reach + rounding, bits):
-                break
+        while not fits(reach + _lost(a, step.operands[0], bits) + _lost(
+                b, step.operands[1], bits), bits):
             bits -= 1
-        given = [(self._unrounded(x, of, bits), of) for x, of in given]
-        exact, terms = sum_of(*(x for x, _ in given)), [self._term(step, x, of, bits)
-                                                      for x, of in given]
-        operands = [self._aligned(step, x.operand, term) for (x, _), term in
-                    zip(given, terms, strict=True)]
-        return rounded(exact, self._issue(step, step.op, *operands), bits,
-                        terms[0].error + terms[1].error)
+        terms = [self._aligned(step, self._unrounded(x, of, bits), of, bits) for x, of in given]
+        return self._issue(step, step.op, terms, bits, total(*(x.bounds for x in terms)))
 
     def _unrounded(self, x: FixedValue, of: Operand, bits: int) -> FixedValue:
         """The 64 bits of a value that this sum alone uses, if it shifts them: it rounds once."""
@@ -253,25 +275,23 @@ class _FixedWriter:
             return wide
         return x
 
-    def _term(self, step: Instruction, x: FixedValue, of: Operand, bits: int) -> AlignedTerm:
+    def _aligned(self, step: Instruction, x: FixedValue, of: Operand, bits: int) -> FixedValue:
         """A term of a sum with this f."""
-        if isinstance(of, Constant):
-            value = quantized(of.double, bits)
-            return AlignedTerm((), value.error, value.operand)
-        return shifts(x, bits)
-
-    def _aligned(self, step: Instruction, x: Operand, term: AlignedTerm) -> Operand:
-        """The term's operand, after the instructions that shift it."""
-        x = term.operand or x
-        for shift in term.shifts:
-            x = self._issue(step, Op.ROUNDED_SHIFT, x, shift) if shift > 0 else \
-                self._issue(step, Op.MUL, x, 2**-shift)
-        return x
+        return quantized(of.double, bits) if isinstance(of, Constant) else \
+            self._shifted(step, x, bits)
 
     def _shifted(self, step: Instruction, x: FixedValue, bits: int) -> FixedValue:
-        """The value with this smaller f."""
-        term = shifts(x, bits)
-        return rounded(x, self._aligned(step, x.operand, term), bits, term.error)
+        """The value with this f.  A term below half of the last bit is 0."""
+        if bits > x.bits:
+            return self._to_the_left(step, x, bits)
+        if vanishes(x, bits):
+            zero = FixedValue(of_integer(0), bits, x.bounds.rounded(half_unit(bits)),
+                              f"{step.name}_zero_{len(self.lines)}")
+            self.lines.append(FixedLine(Op.ROUNDED_SHIFT, (x,), zero))
+            return zero
+        for shift in shifts(x, bits):
+            x = self._narrowed(step, x, x.bits - shift)
+        return x
 
     def _of_products(self, step: Instruction) -> FixedValue | None:
         """A sum or difference of two products that is rounded once; None if it is another sum."""
@@ -284,19 +304,16 @@ class _FixedWriter:
             wide -= 1
         if wide - min(a.bits, b.bits) > _WIDEST or max(a.bits, b.bits) - wide > _WIDEST:
             return self._total(step, *(self._product(self._plain[x]) for x in names))
-        exact = sum_of(a, b)
-        floors = NONE
-        for x in (a, b):
-            floors = floors + (Upward(ldexp(1, -wide)) if x.bits > wide else NONE)
-        bits = self._narrow(exact, wide, floors)
-        terms = [self._issue(step, Op.WIDE_PRODUCT, *(
-            self.value(y).operand for y in self._plain[name].operands), wide - x.bits)
-            for name, x in zip(names, (a, b), strict=True)]
-        total = self._issue(step, step.op, *terms)
-        rounding = floors + half_unit(bits) if bits < wide else floors
-        self._wide[step.name] = exact._replace(operand=total, bits=wide, error=exact.error + floors)
-        return rounded(exact, self._issue(step, Op.ROUNDED_SHIFT, total, wide - bits), bits,
-                        rounding)
+        terms = [self._multiple(step, [self.value(y) for y in self._plain[name].operands],
+                                wide - x.bits) for name, x in zip(names, (a, b), strict=True)]
+        sum_ = self._issue(step, step.op, terms, wide, total(*(x.bounds for x in terms)))
+        self._wide[step.name] = sum_
+        return self._narrowed(step, sum_, self._narrow(sum_, wide))
+
+
+def _lost(x: FixedValue, of: Operand, bits: int) -> Upward:
+    """Bounds the error that a term has in a sum with this f."""
+    return quantized(of.double, bits).error if isinstance(of, Constant) else shift_error(x, bits)
 
 
 def _least_bits(x: Constant) -> int:

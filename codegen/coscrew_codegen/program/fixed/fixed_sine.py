@@ -12,7 +12,7 @@ from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.elementary.evaluation.polynomial import numbers
 from coscrew_codegen.program.elementary.evaluation.step_writer import StepValue, StepWriter
 from coscrew_codegen.program.fixed.fixed_value import FixedValue, above, half_unit, of_integer
-from coscrew_codegen.program.roundoff import Upward
+from coscrew_codegen.program.roundoff import RoundedRange, Upward
 from coscrew_codegen.program.values.quantity import SCALAR, Argument
 
 BITS = 30
@@ -38,7 +38,13 @@ def error(bits: int, reach: float) -> Upward | None:
     angles are too large."""
     if bits < LEAST_BITS or reach == inf:
         return None
-    return above(_quarters(reach) * _half_pi_error()) + _kernel()[1]
+    whole, quarter = errors()
+    return above(_quarters(reach) * quarter + whole)
+
+
+def errors() -> tuple[Fraction, Fraction]:
+    """Bounds of the errors of sine and cosine, and of the error more for each quarter turn."""
+    return Fraction(_kernel()[1]), Fraction(above(_half_pi_error()))
 
 
 def _quarters(reach: float) -> int:
@@ -62,8 +68,8 @@ def _kernel() -> tuple[Program, Upward]:
     """The kernel, and a bound of its errors as sine and cosine of r."""
     from coscrew_codegen.program.fixed.fixed_program import Products, in_fixed_point
 
-    r, z = (FixedValue(Input(n, 0), 31, above(size), error) for n, (size, error) in enumerate((
-        (REDUCED, Upward(0)), (REDUCED**2, half_unit(31)))))
+    r, z = (FixedValue(Input(n, 0), 31, RoundedRange(above(size), error)) for n, (size, error) in
+            enumerate(((REDUCED, Upward(0)), (REDUCED**2, half_unit(31)))))
     made = in_fixed_point(_plain(), ((r,), (z,)), Products.HIGH)
     r_, z_ = r.operand, Ref("z")
     steps = [Instruction("z_1", Op.WIDE_PRODUCT, (r_, r_, of_integer(0)), "z"),

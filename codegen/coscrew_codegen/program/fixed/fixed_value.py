@@ -3,15 +3,13 @@
 The exact value x and the computed integer X satisfy |x| <= size and |X 2^-f - x| <= error, so that
 |X| <= (size + error) 2^f, which is at most 2^31 - 2."""
 
-from dataclasses import dataclass
 from fractions import Fraction
-from math import frexp, inf, ldexp, nextafter, sqrt
+from math import frexp, inf, ldexp, nextafter
 from typing import NamedTuple
 
-from coscrew_codegen.program import Constant, Op, Operand
-from coscrew_codegen.program.roundoff import Upward
+from coscrew_codegen.program import Constant, Operand
+from coscrew_codegen.program.roundoff import NONE, RoundedRange, Upward
 
-NONE = Upward(0)
 LARGEST = 2**31 - 2
 """Largest size of an integer: 2^31 - 1 would overflow by half of the last bit of a shift."""
 MOST_BITS = 62
@@ -21,16 +19,22 @@ OF_ANGLES = 30
 
 
 class FixedValue(NamedTuple):
-    """The operand that has a value, its f, and its bounds; and the argument, if the value is a sine
-    or cosine or a multiple of one."""
+    """The operand that has a value, its f, and its bounds."""
 
     operand: Operand
     bits: int  # f
-    size: Upward
-    error: Upward = NONE
-    circular: tuple[Op, Operand] | None = None
-    factor: "FixedValue | None" = None  # of a multiple: the other factor
-    rest: Upward = NONE  # of a multiple: error less that of the other factor
+    bounds: RoundedRange
+    stands_for: str = ""  # of an integer: the decimal, or the name of the value that it replaces
+
+    @property
+    def size(self) -> Upward:
+        """The bound of the exact value."""
+        return self.bounds.size
+
+    @property
+    def error(self) -> Upward:
+        """The bound of the error."""
+        return self.bounds.error
 
     @property
     def reach(self) -> Upward:
@@ -70,8 +74,8 @@ def above(x: Fraction) -> Upward:
 def quantized(x: Fraction, bits: int) -> FixedValue:
     """The constant as an integer with this f."""
     integer = round(x * Fraction(2)**bits)
-    return FixedValue(of_integer(integer), bits, above(x),
-                      above(integer / Fraction(2)**bits - x))
+    return FixedValue(of_integer(integer), bits, RoundedRange(above(x), above(
+        integer / Fraction(2)**bits - x)), str(x))
 
 
 def of_integer(integer: int) -> Constant:
@@ -79,46 +83,28 @@ def of_integer(integer: int) -> Constant:
     return Constant(Fraction(integer), Fraction(integer))
 
 
-@dataclass(frozen=True)
-class AlignedTerm:
-    """Shifts to the right, or to the left if negative, that give a term the f of its sum; their
-    error; and the constant that replaces the operand, if one does."""
-
-    shifts: tuple[int, ...]
-    error: Upward
-    operand: Operand | None = None
+def vanishes(x: FixedValue, bits: int) -> bool:
+    """Returns whether a value of 32 bits is below half of the last bit with this f."""
+    return x.largest <= LARGEST and x.bits - bits > 31
 
 
-def shifts(x: FixedValue, bits: int) -> AlignedTerm:
-    """The term of a value that is no constant.  Where half of the last bit could overflow, the
-    shift is made in two."""
+def shifts(x: FixedValue, bits: int) -> tuple[int, ...]:
+    """The shifts to the right that give a value this f.  Where half of the last bit could overflow,
+    the shift is made in two; but not with 64 bits."""
     shift = x.bits - bits
-    if x.largest > LARGEST:  # of 64 bits
-        return AlignedTerm((shift,), half_unit(bits))
-    if shift <= 0:
-        return AlignedTerm((shift,) if shift else (), NONE)
-    if shift > 31:  # below half of the last bit
-        return AlignedTerm((), half_unit(bits), of_integer(0))
-    if x.largest + 2.0**(shift - 1) <= LARGEST:
-        return AlignedTerm((shift,), half_unit(bits))
-    return AlignedTerm((1, shift - 1), half_unit(bits) + half_unit(x.bits - 1))
+    if x.largest > LARGEST or x.largest + 2.0**(shift - 1) <= LARGEST:
+        return (shift,) if shift else ()
+    return (1, shift - 1) if shift > 1 else (shift,)
 
 
-def sum_of(a: FixedValue, b: FixedValue) -> FixedValue:
-    """The bounds of a sum or difference, roundings apart."""
-    size, error = a.size + b.size, a.error + b.error
-    if a.factor and b.factor and a.circular and b.circular and \
-            a.circular[0] is not b.circular[0] and a.circular[1] == b.circular[1]:
-        size = min(size, _length(a.factor.size, b.factor.size))
-        error = min(error, _length(a.factor.error, b.factor.error) + a.rest + b.rest)
-    return FixedValue(a.operand, 0, size, error)
-
-
-def rounded(x: FixedValue, operand: Operand, bits: int, rounding: Upward) -> FixedValue:
-    """The value with another f, after a rounding with this error."""
-    return x._replace(operand=operand, bits=bits, error=x.error + rounding,
-                      rest=x.rest + rounding)
-
-
-def _length(a: Upward, b: Upward) -> Upward:
-    return Upward(nextafter(sqrt(a * a + b * b), inf))
+def shift_error(x: FixedValue, bits: int) -> Upward:
+    """Bounds the error of giving a value this f."""
+    if bits >= x.bits:
+        return NONE
+    if vanishes(x, bits):
+        return half_unit(bits)
+    error, at = NONE, x.bits
+    for shift in shifts(x, bits):
+        at -= shift
+        error = error + half_unit(at)
+    return error

@@ -40,7 +40,9 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
         "functions": [_function(rows) for rows in costs.accuracy],
         "needs": [_need(x) for x in costs.answers],
         "fixed_point": [{"function": x.function, "format": x.format, "bounds": x.bounds,
-                         "instructions": x.instructions} for x in costs.cores],
+                         "found": dict(x.worst), "instructions": x.instructions,
+                         "counted": x.counted,
+                         "time": _time(x.time) if x.time else None} for x in costs.cores],
         "load": None if costs.load is None else {
             "share": costs.load.share, "tasks": costs.load.tasks,
             "processors": costs.load.processors},

@@ -10,9 +10,11 @@ from typing import TypeVar
 import numpy as np
 from tqdm import tqdm
 
+from coscrew_codegen.accuracy.fixed_scene import FixedFunction
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, SceneTier, in_tier
-from coscrew_codegen.accuracy.tiers import OF_SCENES, PLAIN
+from coscrew_codegen.accuracy.tiers import OF_SCENES, PLAIN, tier_named
 from coscrew_codegen.program import counts_in_words
+from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import PRECISIONS
@@ -22,10 +24,11 @@ from coscrew_codegen.reports.cost.effect_ablation import SHOWN, WHOLE, Ablation,
 from coscrew_codegen.reports.cost.error_states import Box, Values, box_of
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors, measured
 from coscrew_codegen.reports.cost.loops import ELEMENTS, CompiledLoops, compiled
-from coscrew_codegen.reports.cost.measured import CERTIFIED, choices
+from coscrew_codegen.reports.cost.measured import CERTIFIED, Measured, choices
 from coscrew_codegen.reports.cost.needs.answers import Answer, answer
 from coscrew_codegen.reports.cost.needs.core_costs import CoreCost, on_cores
 from coscrew_codegen.reports.cost.needs.cortex_m4 import CountError
+from coscrew_codegen.reports.cost.needs.fixed_errors import FixedErrors
 from coscrew_codegen.reports.cost.needs.need import Need, refuse_other_units
 from coscrew_codegen.reports.cost.run_errors import RunErrors, run_errors
 from coscrew_codegen.reports.cost.work_precision import (
@@ -39,7 +42,6 @@ from coscrew_codegen.reports.timing.loop_timing import timed_loops
 from coscrew_codegen.reports.timing.machine_load import Load, LoadWatch
 from coscrew_codegen.runtime import compilation
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulation.progress import Progress
 from coscrew_codegen.simulation.recordings.record import accelerations
@@ -105,7 +107,8 @@ def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> 
         refuse_other_units(request.needs, name, chosen[0].functions.named(name).units)
     try:
         using = compilation.compiler()
-        tiers = _tiers(chosen[0], names, all_of_them=bool(request.needs))
+        tiers = _tiers(chosen[0], names, all_of_them=bool(request.needs) or any(
+            tier_named(x).fixed for x in scene.tiers))
         built = tuple(_progress((compiled(x, _functions(x), using, tiers if x is chosen[0] else ())
                                  for x in chosen), "compiling", len(chosen)))
     except compilation.CompilationError as error:
@@ -118,14 +121,21 @@ def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> 
     answers = tuple(answer(request.needs, rows, built[0], box) for rows in accuracy
                     if any(x.function == rows[0].function for x in request.needs))
     costs = Costs(scene.name, str(using), (), None, (), accuracy, not request.alone,
-                  answers=answers, load=watch.load, cores=_cores(scene, names))
+                  answers=answers, load=watch.load,
+                  cores=_cores(built[0], box, names, using, accuracy))
     return costs if request.alone else _with_runs(costs, kernels, overrides, built, states, request)
 
 
-def _cores(scene: Scene, names: Sequence[str]) -> tuple[CoreCost, ...]:
+def _cores(built: CompiledLoops, box: Box, names: Sequence[str], using: compilation.Compiler,
+           accuracy: Sequence[Sequence[FunctionErrors]]) -> tuple[CoreCost, ...]:
     """The functions on processors without floating point.  Raises CostError."""
+    def search(f: FixedFunction, products: Products) -> dict[str, float]:
+        return FixedErrors(Measured(built, f.plain.name), f, products).worst(box)
+
+    known = {(x.function, x.precision if x.tier == PLAIN.name else x.name): x
+             for rows in accuracy for x in rows}
     try:
-        return on_cores(scene, names)
+        return on_cores(built.part.scene, names, using, known, search)
     except CountError as error:
         raise CostError(f"cost counts instructions, but {error}") from None
 

@@ -1,6 +1,6 @@
-"""States at which rounding errors are measured: of the run, between the joint limits, and the worst
-of a search there.  All are numbers of single precision, so that every precision gets the same
-inputs."""
+"""States at which rounding errors are measured: of the run, in the ranges that the scene states or
+between the joint limits, and the worst of a search there.  All are numbers of single precision, so
+that every precision gets the same inputs."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -29,8 +29,8 @@ def joined(parts: Sequence[Values]) -> dict[str, Reals]:
 
 @dataclass(frozen=True)
 class Box:
-    """Half widths and centres of every number of a state: the limits of the joints, or ±π rad, 1 m,
-    π rad/s, 1 m/s for joints without limits."""
+    """Half widths and centres of every number of a state: the scene's ranges, the limits of the
+    joints, or ±π rad, 1 m, π rad/s, 1 m/s for joints without limits."""
 
     system: System
     step: float
@@ -46,11 +46,10 @@ class Box:
              ) -> dict[str, Reals]:
         """`count` states near each of these, inside the box."""
         results = {}
-        for name, middle in self.centre.items():
-            around, half = np.repeat(values[name], count, axis=0), self.half[name]
-            moved = around + scale * half * rng.normal(size=around.shape)
-            results[name] = np.clip(moved, middle - half, middle + half)
-        return self._inputs(results)
+        for name in self.centre:
+            around = np.repeat(values[name], count, axis=0)
+            results[name] = around + scale * self.half[name] * rng.normal(size=around.shape)
+        return self._inputs(self._inside(results))
 
     def of_run(self, trajectory: Trajectory, count: int) -> dict[str, Reals]:
         """States of the run at equal intervals, with random torques and the accelerations that
@@ -59,7 +58,13 @@ class Box:
         result = self.drawn(np.random.default_rng(3), count)
         result |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
         result = self._inputs(result)
-        return self._inputs({**result, "a": self.system.call("forward_dynamics", **result)})
+        result = {**result, "a": self.system.call("forward_dynamics", **result)}
+        return self._inputs(self._inside(result) if self.system.scene.ranges else result)
+
+    def _inside(self, values: Values) -> dict[str, Reals]:
+        """The nearest states inside the box."""
+        return {**values, **{name: np.clip(values[name], x - self.half[name], x + self.half[name])
+                             for name, x in self.centre.items()}}
 
     def _inputs(self, values: Values) -> dict[str, Reals]:
         """The nearest states of single precision, with quaternions of norm 1, and the inputs that
@@ -82,7 +87,7 @@ def _single(x: Reals) -> Reals:
 
 
 def box_of(system: System, until: float, step: float) -> Box:
-    """The limits of the scene's joints."""
+    """The scene's ranges; where these state nothing, the limits of its joints."""
     joints = {joint.name: joint for joint in system.scene.model.joints}
     q, half_q = np.zeros(system.functions.nq), np.ones(system.functions.nq)
     half_v, effort = np.ones(system.functions.nv), np.full(system.functions.nv, np.nan)
@@ -96,10 +101,27 @@ def box_of(system: System, until: float, step: float) -> Box:
             "tau": effort}
     centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)
                                                    for name in ("v", "a", "tau")}}
+    ends = {name: _stated(system, name, x - half[name], x + half[name])
+            for name, x in centre.items()}
+    centre = {name: (lower + upper) / 2 for name, (lower, upper) in ends.items()}
+    half = {name: (upper - lower) / 2 for name, (lower, upper) in ends.items()}
     some = Box(system, step, centre, {**half, "tau": np.zeros_like(half_v)}).drawn(
         np.random.default_rng(0), 64)
     needed = np.abs(system.call("inverse_dynamics", **some)).max(axis=0, initial=0)
-    return Box(system, step, centre, {**half, "tau": np.where(np.isnan(effort), needed, effort)})
+    unknown = np.isnan(half["tau"])
+    return Box(system, step, {**centre, "tau": np.where(unknown, 0, centre["tau"])},
+               {**half, "tau": np.where(unknown, needed, half["tau"])})
+
+
+def _stated(system: System, name: str, lower: Reals, upper: Reals) -> tuple[Reals, Reals]:
+    """The ends of the intervals that the scene states for an argument; these where it states
+    none."""
+    ranges = system.scene.ranges
+    if ranges is None or name not in ranges.by_name:
+        return lower, upper
+    stated = np.reshape(ranges.of(name, lower.size), (*lower.shape, 2))
+    return (np.where(np.isfinite(stated[..., 0]), stated[..., 0], lower),
+            np.where(np.isfinite(stated[..., 1]), stated[..., 1], upper))
 
 
 def searched(box: Box, score: Callable[[Values], Reals], count: int, batch: int = BATCH

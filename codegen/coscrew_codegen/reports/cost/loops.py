@@ -93,7 +93,7 @@ def text(part: Ablation, functions: Sequence[FunctionProgram],
     """The C text of the loops."""
     chosen = [(part.functions, functions, PRECISIONS), *(
         (x.first, x.first.functions, [p for p, _ in x.in_precisions]) for x in tiers)]
-    loops = [{"name": _loop(f.name, precision, scene.mark), **_over_states(scene, f, precision)}
+    loops = [{"name": _loop(f.name, precision, scene.mark), **over_states(scene, f, precision)}
              for scene, some, precisions in chosen for f in some for precision in precisions]
     return render("cost/loops.c", headers=[part.functions.name, *(x.stem for x in tiers)],
                   loops=loops)
@@ -103,7 +103,7 @@ def _loop(function: str, precision: Precision, tier: str) -> str:
     return "_".join(filter(None, ("coscrew_loop", function, tier))) + precision.suffix
 
 
-def _over_states(scene: SceneFunctions, function: FunctionProgram, precision: Precision
+def over_states(scene: SceneFunctions, function: FunctionProgram, precision: Precision
                  ) -> dict[str, object]:
     """The declarations of the loop's arrays, a row an element, and the call for row i."""
     declared, passed = [], []

@@ -109,7 +109,7 @@ class Measured:
                     for unit in self.different_units]
         for n, (choice, unit) in enumerate(searches):
             count = max(1, (counts.search + n) // len(searches))
-            batch = _FEWER if choice == _NEAREST else BATCH
+            batch = _FEWER if choice == NEAREST else BATCH
             parts.append(("search", searched(
                 box, partial(self.badness, choice, unit), count, batch)))
         return (joined([x for _, x in parts]),
@@ -120,8 +120,8 @@ class Measured:
         is certified, the largest bound.  Errors are approximate: differences from accurate results
         in double; only errors of the latter are differences from DIGITS."""
         result, *bounds = self.values(choice, states)
-        off = self._from_exact(result, states) if choice == _NEAREST else np.abs(
-            result - self.values(_NEAREST, states)[0])
+        off = self._from_exact(result, states) if choice == NEAREST else np.abs(
+            result - self.values(NEAREST, states)[0])
         if bounds:
             off = np.minimum(np.where(np.isnan(bounds[0]), np.inf, bounds[0]), np.finfo(float).max)
         worst: Reals = off[:, [x == unit for x in self.units]].max(axis=1)
@@ -140,4 +140,5 @@ class Measured:
             return in_python(program.fine or program, MULTIPRECISE)
 
 
-_NEAREST = TierChoice(ACCURATE, DOUBLE)
+NEAREST = TierChoice(ACCURATE, DOUBLE)
+"""The choice whose results are nearest to the exact ones."""

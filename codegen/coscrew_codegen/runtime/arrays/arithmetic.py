@@ -15,8 +15,10 @@ from coscrew_codegen.program.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
 from coscrew_codegen.program.in_python import in_python
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.two_over_pi import chunks
 from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.table_arrays import rounded
 from coscrew_codegen.runtime.arrays.deciding import deciding
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary
 
@@ -81,7 +83,23 @@ def _plain(library: ArrayLibrary, precision: Precision) -> dict[Op, Callable[...
         Op.SQRT: lambda x: xp.sqrt(like(x)),
         Op.COPYSIGN: lambda a, b: xp.copysign(like(a), like(b)),
         Op.POWER: partial(_power, library, precision),
-        Op.TWO_OVER_PI: partial(_two_over_pi, library, precision)}
+        Op.TWO_OVER_PI: partial(_two_over_pi, library, precision),
+        Op.INDEX: partial(_index, library, precision), Op.GATHER: partial(
+            _gathered, library, precision)}
+
+
+def _index(library: ArrayLibrary, precision: Precision, x: Array, count: float) -> Array:
+    """The integer part of x, within 0 … count - 1; 0 for NaN."""
+    where, x = library.xp.where, library.number(x, precision)
+    inside = where(x > 0, x, library.xp.zeros_like(x))
+    return library.xp.floor(where(inside < count, inside, library.xp.zeros_like(x) + (count - 1)))
+
+
+def _gathered(library: ArrayLibrary, precision: Precision, column: TableColumn, at: Array) -> Array:
+    """The column's number in the row `at`."""
+    of = column.table
+    row = _index(library, precision, at, of.rows)
+    return library.taken(rounded(of, precision)[column.place::of.stride].tolist(), row, row)
 
 
 def _power(library: ArrayLibrary, precision: Precision, a: Array, b: Array) -> Array:

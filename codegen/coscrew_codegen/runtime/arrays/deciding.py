@@ -2,7 +2,7 @@
 products."""
 
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.program.ops import COMPARISONS, OF_TABLES
 
 _ELEMENTARY = frozenset({Op.SIN, Op.COS, Op.EXP, Op.TANH, Op.ATAN2})
 """They have sums of products within."""
@@ -13,7 +13,8 @@ def deciding(program: Program) -> frozenset[str]:
     operands of comparisons by operations with only one way of rounding.  If these are fixed, every
     comparison has one result."""
     steps = {step.name: step for step in program.instructions}
-    open_ = [x for step in program.instructions if step.op in COMPARISONS for x in step.operands]
+    open_ = [x for step in program.instructions if step.op in COMPARISONS | OF_TABLES
+             for x in step.operands]
     seen: set[Operand] = set()
     deciders = set()
     while open_:

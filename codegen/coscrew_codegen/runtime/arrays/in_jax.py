@@ -3,12 +3,13 @@
 `value` is a function f; `linear` is its derivative along directions, linear in these: the value of
 f's tangent Program.  The transposed of `linear` is the value of f's adjoint Program.  Since these
 are functions, too, derivatives of any order follow.  Operands are rows (states, numbers), or one
-row that all states share.
+row that all states share.  Those of one state have no axis of states: JAX moves the axes of arrays
+whose shape changes, and copies them.
 """
 
 from collections.abc import Sequence
 from functools import cache, partial
-from itertools import count
+from itertools import accumulate, count
 from math import prod
 from typing import Any
 
@@ -41,14 +42,14 @@ def call(function: ArrayFunction, lead: Shape, arrays: Sequence[Any], precision:
 
 @cache
 def _jitted(function: ArrayFunction, lead: Shape) -> Any:
-    states = prod(lead)
+    states = (prod(lead),) if lead else ()
 
     def rows(x: Any, shape: Shape) -> Any:
         x = _replicated(x)
         own = x.shape[:x.ndim - len(shape)]
         if prod(own) != 1:
             x, own = jnp.broadcast_to(x, (*lead, *shape)), lead
-        return x.reshape(prod(own), prod(shape))
+        return x.reshape(*(prod(own) for _ in states), prod(shape))
 
     def computed(*arrays: Any) -> list[Any]:
         given = [rows(x, shape) for x, (_, shape) in zip(arrays, function.inputs, strict=True)]
@@ -58,13 +59,13 @@ def _jitted(function: ArrayFunction, lead: Shape) -> Any:
     return jax.jit(computed)
 
 
-def _evaluated(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
+def _evaluated(primitive: Primitive, *rows: Any, function: ArrayFunction, states: Shape) -> Any:
     with jax.disable_jit(False):  # else it would evaluate itself
         return _of_rows(primitive, function, states)(*rows)
 
 
 @cache
-def _of_rows(primitive: Primitive, function: ArrayFunction, states: int) -> Any:
+def _of_rows(primitive: Primitive, function: ArrayFunction, states: Shape) -> Any:
     return jax.jit(partial(primitive.bind, function=function, states=states))
 
 
@@ -74,7 +75,7 @@ def _replicated(x: Any) -> Any:
     return reshard(x, NamedSharding(divided.mesh, P())) if any(divided.spec) else x
 
 
-def _bound(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
+def _bound(primitive: Primitive, *rows: Any, function: ArrayFunction, states: Shape) -> Any:
     """The primitive of rows that all vary over the same axes of a mesh.  Under shard_map one that
     all devices share is made to vary as the others do, as by JAX's own functions: the transposed of
     that sums over devices."""
@@ -85,57 +86,70 @@ def _bound(primitive: Primitive, *rows: Any, function: ArrayFunction, states: in
     return primitive.bind(*alike, function=function, states=states)
 
 
-def _shapes(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
+def _shapes(*rows: Any, function: ArrayFunction, states: Shape) -> list[Any]:
     """Shapes of the results, which vary over the axes of a mesh over which rows vary; otherwise
     each device has them whole."""
     mesh = next((x.sharding.mesh for x in rows if not x.sharding.mesh.empty), get_abstract_mesh())
-    return [jax.core.ShapedArray((states, n), rows[0].dtype, sharding=NamedSharding(mesh, P()),
+    return [jax.core.ShapedArray((*states, n), rows[0].dtype, sharding=NamedSharding(mesh, P()),
                                  manual_axis_type=rows[0].manual_axis_type)
             for n in function.sizes]
 
 
 def _batched(primitive: Primitive, rows: Sequence[Any], axes: Sequence[int | None], *,
-             function: ArrayFunction, states: int) -> tuple[list[Any], list[int]]:
+             function: ArrayFunction, states: Shape) -> tuple[list[Any], list[int]]:
     members = next(x.shape[axis] for x, axis in zip(rows, axes, strict=True) if axis is not None)
     outputs = _bound(primitive, *(_flat(x, axis, members, states) for x, axis in zip(
-        rows, axes, strict=True)), function=function, states=members * states)
-    return [y.reshape(members, states, y.shape[-1]) for y in outputs], [0] * len(outputs)
+        rows, axes, strict=True)), function=function, states=(members * prod(states),))
+    return [y.reshape(members, *states, y.shape[-1]) for y in outputs], [0] * len(outputs)
 
 
 def _linear_batched(rows: Sequence[Any], axes: Sequence[int | None], *, function: ArrayFunction,
-                    states: int) -> tuple[list[Any], list[int]]:
-    """Many directions at one place, as jacfwd takes them, are multiplied by the Jacobian."""
+                    states: Shape) -> tuple[list[Any], list[int]]:
+    """Many directions at one place, as jacfwd takes them, are multiplied by the Jacobian; where
+    they are the units of the inputs that they change, the Jacobian's columns are the result."""
     half = len(rows) // 2
+    members = next(rows[k].shape[axis] for k, axis in enumerate(axes) if axis is not None)
     directions = [x if axis is None else jnp.moveaxis(x, axis, 0)
                   for x, axis in zip(rows[half:], axes[half:], strict=True)]
-    shared = all(axis is None for axis in axes[:half]) and all(x.shape[-2] == 1 for x in directions)
-    members = next(rows[k].shape[axis] for k, axis in enumerate(axes) if axis is not None)
+    shared = all(axis is None for axis in axes[:half]) and all(
+        not states or x.shape[-2] == 1 for x in directions)
     if members < FEWEST or not shared or not (jacobian := function.jacobian):
         return _batched(linear, rows, axes, function=function, states=states)
-    D = jnp.concatenate([jnp.broadcast_to(x.reshape(-1, x.shape[-1]), (members, x.shape[-1]))
-                         for x in directions], axis=1)
-    matrices = _bound(value, *rows[:half], function=jacobian, states=states)
-    return [_product(J.reshape(states, -1, D.shape[1]), D) for J in matrices], [2] * len(matrices)
+    D = [jnp.broadcast_to(x.reshape(-1, x.shape[-1]), (members, x.shape[-1])) for x in directions]
+    changed = [k for k, axis in enumerate(axes[half:]) if axis is not None]
+    *firsts, end = accumulate((D[k].shape[1] for k in changed), initial=0)
+
+    def blocks() -> list[list[Any]]:
+        """The Jacobian of each result by each input."""
+        parts = iter(_bound(value, *rows[:half], function=jacobian, states=states))
+        return [[next(parts).reshape(*states, -1, d.shape[1]) for d in D] for _ in function.sizes]
+
+    def columns() -> list[list[Any]]:
+        return [[row[k] for k in changed] for row in blocks()]
+
+    def products() -> list[list[Any]]:
+        return [jnp.split(jnp.einsum("...oi,mi->...om", jnp.concatenate(row, axis=-1),
+                                     jnp.concatenate(D, axis=1)), firsts[1:], axis=-1)
+                for row in blocks()]
+
+    if end == members:
+        units = [jnp.zeros_like(d) for d in D]
+        for k, first in zip(changed, firsts, strict=True):
+            units[k] = jnp.eye(members, D[k].shape[1], -first, D[k].dtype)
+        same = jnp.concatenate(units, axis=1) == jnp.concatenate(D, axis=1)
+        result = jax.lax.cond(same.all(), columns, products)
+    else:
+        result = products()  # other directions than the units
+    return [jnp.concatenate(row, axis=-1) for row in result], [len(states) + 1] * len(result)
 
 
-def _product(J: Any, D: Any) -> Any:
-    """J (states, rows, columns) times each direction; of unit directions in order, columns of J."""
-    first, (members, columns) = jnp.argmax(D[0]), D.shape
-    units = jnp.arange(columns) == first + jnp.arange(members)[:, None]
-    return jax.lax.cond(
-        jnp.all(units == D) & (first + members <= columns),
-        lambda J: jax.lax.dynamic_slice_in_dim(J, first, members, 2),
-        lambda J: jnp.einsum("soi,mi->som", J, D), J)
-
-
-def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
+def _flat(x: Any, axis: int | None, members: int, states: Shape) -> Any:
     """Rows of all members' states; a row that all share stays one row."""
-    if axis is None and x.shape[0] == 1:
-        return x
+    if axis is None and x.size == x.shape[-1]:
+        return x.reshape(1, x.shape[-1])
     x = _replicated(x)
     x = x[None] if axis is None else jnp.moveaxis(x, axis, 0)
-    return jnp.broadcast_to(x, (members, states, x.shape[-1])).reshape(members * states,
-                                                                       x.shape[-1])
+    return jnp.broadcast_to(x, (members, *states, x.shape[-1])).reshape(-1, x.shape[-1])
 
 
 def _value_jvp(primals: Sequence[Any], tangents: Sequence[Any], **of: Any) -> tuple[Any, Any]:
@@ -144,37 +158,37 @@ def _value_jvp(primals: Sequence[Any], tangents: Sequence[Any], **of: Any) -> tu
 
 
 def _linear_jvp(primals: Sequence[Any], tangents: Sequence[Any], *, function: ArrayFunction,
-                states: int) -> tuple[Any, Any]:
+                states: Shape) -> tuple[Any, Any]:
     directions = map(ad.instantiate_zeros, tangents)
     return (_bound(linear, *primals, function=function, states=states),
             _bound(linear, *primals, *directions, function=function.tangent, states=states))
 
 
-def _transposed(weights: Sequence[Any], *rows: Any, function: ArrayFunction, states: int
+def _transposed(weights: Sequence[Any], *rows: Any, function: ArrayFunction, states: Shape
                 ) -> list[Any]:
     at, directions = rows[:len(rows) // 2], rows[len(rows) // 2:]
     cotangents = _bound(value, *at, *map(ad.instantiate_zeros, weights), function=function.adjoint,
                         states=states)
     return [*[None] * len(at), *(
-        _shared(x, d.aval.shape[0]) if ad.is_undefined_primal(d) else None
+        _shared(x, d.aval.shape) if ad.is_undefined_primal(d) else None
         for x, d in zip(cotangents, directions, strict=True))]
 
 
-def _shared(x: Any, rows: int) -> Any:
+def _shared(x: Any, shape: Shape) -> Any:
     """The sum over states, for a row that all share."""
-    return x.sum(axis=0, keepdims=True) if rows == 1 != x.shape[0] else x
+    return x if x.shape == shape else x.sum(axis=0, keepdims=True)
 
 
-def _printed(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
+def _printed(*rows: Any, function: ArrayFunction, states: Shape) -> list[Any]:
     precision = LIBRARY.precision(rows[0].dtype)
     assert precision
-    arrays = [x.reshape(x.shape[0], *shape) for x, (_, shape) in zip(
+    arrays = [x.reshape(*x.shape[:-1], *shape) for x, (_, shape) in zip(
         rows, function.inputs, strict=True)]
-    outputs = function.printed(LIBRARY, precision)(*arrays, lead=(states,))
-    return [y.reshape(states, n) for y, n in zip(outputs, function.sizes, strict=True)]
+    outputs = function.printed(LIBRARY, precision)(*arrays, lead=states)
+    return [y.reshape(*states, n) for y, n in zip(outputs, function.sizes, strict=True)]
 
 
-def _lowered(context: Any, *rows: Any, function: ArrayFunction, states: int) -> Any:
+def _lowered(context: Any, *rows: Any, function: ArrayFunction, states: Shape) -> Any:
     """Lowers to a call of C where there is one, else to the function by calls of JAX."""
     precision = LIBRARY.precision(context.avals_in[0].dtype)
     assert precision

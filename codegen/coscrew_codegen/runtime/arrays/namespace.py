@@ -11,6 +11,7 @@ from typing import Any
 from coscrew_codegen.algebra.lowering.programs import program_of, smooth_program
 from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.backends.scene import scene_text
+from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import (
     IntegratorStep,
     SceneFunctions,
@@ -127,15 +128,35 @@ class _OfScene:
         self.scene, self._library, self._backend = scene, library, backend
         self._compile = compile
         self._made: dict[str, Made] = {}
+        self._functions: dict[str, ArrayFunction] = {}
 
     def function(self, name: str) -> Made:
         if name not in self._made:
-            scene_function = self.scene.named(name)
-            made = ArrayFunction(f"{self.scene.name}_{name}", scene_function.program,
-                                 compile=self._compile)
-            self._made[name] = _called(made, name, "\n\n".join(scene_text.words(scene_function)),
-                                       self.scene.precisions, self._library, self._backend)
+            self._made[name] = _called(
+                self._array_function(name), name,
+                "\n\n".join(scene_text.words(self.scene.named(name))),
+                self.scene.precisions, self._library, self._backend)
         return self._made[name]
+
+    def _array_function(self, name: str) -> ArrayFunction:
+        """The function, with its derivatives if the scene has them."""
+        if name not in self._functions:
+            program = self.scene.named(name).program
+            slopes = f"{name}_derivatives"
+            self._functions[name] = ArrayFunction(
+                f"{self.scene.name}_{name}", program, compile=self._compile,
+                derivatives=self._array_function(slopes) if self._has(slopes, program) else None)
+        return self._functions[name]
+
+    def _has(self, name: str, program: Program) -> bool:
+        """Returns whether the scene has a function of this name that gives the derivatives of each
+        result of a program by each input; those along velocities are those by coordinates where
+        these are plain numbers."""
+        return self.scene.nq == self.scene.nv and any(
+            f.name == name and f.inputs == program.inputs and [
+                a.quantity.size for a in f.program.outputs] == [
+                y.quantity.size * x.quantity.size for y in program.outputs for x in program.inputs]
+            for f in self.scene.functions)
 
     def step(self, step: IntegratorStep) -> Made:
         shapes, library = scene_text.step_shapes(self.scene), self._library

@@ -46,8 +46,8 @@ def contact_law(at: Meeting, values: Values) -> ContactForce:
     """Along the normal N = k δ^1.5 max(1 - 1.5 alpha u_n, 0); across it -s (k_t z + d_t u_t), with
     s such that it is at most mu N.
 
-    The bristles z are in the world's frame.  They move with u_t and keep within mu N/k_t; the power
-    holds all that the force across the normal does, also what the bristles store."""
+    The bristles z are in the world's frame.  They move with u_t and keep within mu N/k_t, and store
+    k_t |z|²/2; the power holds all that the force across the normal does, also what they store."""
     gap, n, u = at.gap, at.n, at.u
     rise = dot(u, n)
     slip = subtract(u, scaled(rise, n))
@@ -61,6 +61,7 @@ def contact_law(at: Meeting, values: Values) -> ContactForce:
     share = grip / maximum(maximum(sqrt(dot(pull, pull)), grip), _LEAST)
     friction = scaled(share, pull)
     bent = k_t * sqrt(dot(z, z))
+    held = minimum(bent, grip)
     damping = where(less(gap.like(0), push), steepness * elastic, 0)
     law = ContactForce(
         subtract(scaled(N, n), friction), energy=elastic * depth * Fraction(2, 5),
@@ -68,7 +69,7 @@ def contact_law(at: Meeting, values: Values) -> ContactForce:
         across=Slopes(share * d_t, share * k_t),
         along=Slopes(damping, root * push * Fraction(3, 2)),
         rates=slip, bounded=z, share=minimum(grip / maximum(bent, _LEAST), 1),
-        switches=(gap, grip - sqrt(dot(pull, pull)), grip - bent),
+        switches=(gap, grip - sqrt(dot(pull, pull)), grip - bent), stored=held * held / (2 * k_t),
         contact=BodyContact(values["k"], gap, rise, values["depth"]))
     return _with_moments(law, at, N, values) if at.w else law
 

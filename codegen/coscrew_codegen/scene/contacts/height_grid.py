@@ -11,15 +11,20 @@ Beyond the edges the ground goes on level."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
+from coscrew_codegen.program.tables import ConstantTable, TableColumn
 from coscrew_codegen.scene.formulas import Formula, V
 
-MOST = 128
-"""Largest number of points: each costs two products, wherever the place is."""
-_CORE = (Fraction(3, 2), Fraction(-5, 2), Fraction(0), Fraction(1))
-_SKIRT = (Fraction(-1, 2), Fraction(5, 2), Fraction(-4), Fraction(2))
-"""K(u) for |u| < 1 and |u| < 2, powers of |u| from the third on."""
+MOST = 2**20
+"""Largest number of points."""
+_HALF = Fraction(1, 2)
+_WEIGHTS = ((-_HALF, Fraction(1), -_HALF, Fraction(0)),
+            (3 * _HALF, -5 * _HALF, Fraction(0), Fraction(1)),
+            (-3 * _HALF, Fraction(2), _HALF, Fraction(0)),
+            (_HALF, -_HALF, Fraction(0), Fraction(0)))
+"""K(1 + u), K(u), K(1 - u), K(2 - u) for 0 <= u <= 1, powers of u from the third on."""
 
 
 @dataclass(frozen=True)
@@ -46,41 +51,41 @@ class HeightGrid(Formula):
     def value(self, t: V, functions: Mapping[str, object]) -> V:
         """The height at the place that `functions` give as x and y, for any kind of numbers."""
         f: Any = functions
-        counts = (len(self.rows[0]), len(self.rows))
-        across, along = ([_kernel(f, u) for u in self._distances(f, name, k, counts[k])]
-                         for k, name in enumerate(("x", "y")))
-        total: Any = None
-        for own, row in zip(along, self._extended(), strict=True):
-            part = own * _sum([k * z for k, z in zip(across, row, strict=True) if z] or [
-                across[0] * 0])
-            total = part if total is None else total + part
-        result: V = total
+        (column, across), (row, along) = (self._cell(f, k) for k in range(2))
+        stride = len(self.rows[0]) + 2
+        at = row * stride + (column + f["number"](Fraction(1, 2)))  # no rounding leaves the row
+        rows = [[f["gather"](TableColumn(self._points, i * stride + k), at) for k in range(4)]
+                for i in range(4)]
+        result: V = _sum([weight * _sum([w * z for w, z in zip(across, heights, strict=True)])
+                          for weight, heights in zip(along, rows, strict=True)])
         return result
 
-    def _distances(self, f: Any, name: str, k: int, count: int) -> list[Any]:
-        """The distances from all grid lines of a direction, and one beyond each edge, in
-        spacings."""
-        place = (f[name]() - self.start[k]) * (1 / self.spacing[k])
-        first, last = (f["number"](Fraction(x)) for x in (0, count - 1))
-        inside = f["max"](f["min"](place, last), first)
-        return [f["abs"](inside - i) for i in range(-1, count + 1)]
+    def _cell(self, f: Any, k: int) -> tuple[Any, list[Any]]:
+        """The number of the cell in a direction, and the weights of the points around it."""
+        last = (len(self.rows[0]), len(self.rows))[k] - 1
+        number = f["number"]
+        start, per = number(self.start[k]), number(1 / self.spacing[k])
+        place = (f["xy"[k]]() - start) * per
+        place = f["max"](f["min"](place, number(Fraction(last))), number(Fraction(0)))
+        cell = f["index"](place, last)
+        u = place - cell
+        weights = [tuple(map(number, row)) for row in _WEIGHTS]
+        return cell, [((a * u + b) * u + c) * u + d if row[2] else (a * u + b) * u * u + d
+                      for row, (a, b, c, d) in zip(_WEIGHTS, weights, strict=True)]
 
-    def _extended(self) -> list[list[Fraction]]:
-        """The heights, with lines beyond the edges that go on straight."""
-        rows = [_straight([*row]) for row in self.rows]
-        columns = [_straight([row[k] for row in rows]) for k in range(len(rows[0]))]
-        return [list(row) for row in zip(*columns, strict=True)]
+    @cached_property
+    def _points(self) -> ConstantTable:
+        """The heights, with lines beyond the edges that go on straight, by row; every cell reads
+        four heights of four rows."""
+        rows = [_straight(row) for row in self.rows]
+        first, last = ([2 * a - b for a, b in zip(rows[i], rows[k], strict=True)]
+                       for i, k in ((0, 1), (-1, -2)))
+        return ConstantTable(tuple(z for row in (first, *rows, last) for z in row), 1,
+                     3 * len(first) + 4)
 
 
 def _straight(line: Sequence[Fraction]) -> list[Fraction]:
     return [2 * line[0] - line[1], *line, 2 * line[-1] - line[-2]]
-
-
-def _kernel(f: Any, u: Any) -> Any:
-    """K(u) for u >= 0."""
-    core, skirt = (((a * u + b) * u + c) * u + d if c else (a * u + b) * u * u + d
-                   for a, b, c, d in (_CORE, _SKIRT))
-    return f["where"](f["less"](u, 1), core, f["where"](f["less"](u, 2), skirt, 0))
 
 
 def _sum(terms: Sequence[Any]) -> Any:

@@ -16,7 +16,8 @@ from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check import check_rounding, step_advice
-from coscrew_codegen.simulation.check.contact_check import contacts_of
+from coscrew_codegen.simulation.check.bristle_check import bristles_of
+from coscrew_codegen.simulation.check.contact_check import apart, contacts_of
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.energy_balance import Balance, balance
 from coscrew_codegen.simulation.check.findings import SECOND_RUN, THIRD_RUN, AlongRun, Findings, Met
@@ -64,11 +65,11 @@ def _check(kernels: "Kernels", overrides: RunOverrides, rounding: bool) -> Findi
     along = [_along(*run) for run in runs.values()]
     if len(along) == 2:
         along[1] = replace(along[1], double=along[0])
-    apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
-    judged = check_rounding.rounding(kernels, [
-        (x, y) for x, _, y in runs.values()]) if rounding else ()
-    return Findings(met, tuple(along), apart, outside(its, its.start()[0]), judged,
-                    mobility(its))
+    both = [(x, y) for x, _, y in runs.values()]
+    between = differences(*(_sparse(*x) for x in both)) if len(both) == 2 else ()
+    judged = check_rounding.rounding(kernels, both) if rounding else ()
+    return Findings(met, tuple(along), between, outside(its, its.start()[0]), judged,
+                    mobility(its), apart(*both) if len(both) == 2 else ())
 
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides
@@ -116,7 +117,9 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> AlongRun:
         0.0 if planned.adaptive else planned.step, step_advice.error(system, trajectory, true),
         true.until, true.end, true.step, step_advice.resting(system, true),
         loops=closures(system, trajectory, coarse.scale),
-        contacts=contacts_of(system, trajectory, 0.0 if planned.adaptive else planned.step))
+        contacts=contacts_of(system, trajectory, 0.0 if planned.adaptive else planned.step),
+        bristles=bristles_of(system, trajectory, coarse.scale)
+        if planned.every < 1.5 * planned.step else None)
     if trajectory.stopped:
         return along
     if not planned.adaptive and not (along.shrinks and along.balanced):

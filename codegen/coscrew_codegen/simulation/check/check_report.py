@@ -5,12 +5,15 @@ import math
 from tabulate import tabulate
 
 from coscrew_codegen.simulation.check.check_rounding import DIGITS, Certified, RoundedResults
+from coscrew_codegen.simulation.check.contact_check import sinks
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulation.check.findings import THIRD_RUN, AlongRun, Findings, Met
 from coscrew_codegen.simulation.loops.closure_check import WORK, Closures
 from coscrew_codegen.simulation.result_units import in_unit
 from coscrew_codegen.simulation.run_summary import gaps
 
+_MOST = 12  # contacts that the table shows
+_DEPTHS = "depths over those at rest, share of time that contacts slip"
 _WIDE = 1000  # ratio of bounds to errors from which their number says nothing
 
 
@@ -18,6 +21,7 @@ def table(findings: Findings, strict: bool = False) -> str:
     """The findings as text; with `strict` also the faults that fail only the strict limits."""
     parts = [_expectations(findings.met)] if findings.met else []
     parts += [_checks(findings.along)]
+    parts += [_each_contact(findings)] if any(x.contacts for x in findings.along) else []
     parts += [gaps(findings.apart)] if findings.apart else []
     parts += [_rounding(findings.rounding)] if findings.rounding else []
     parts += [x for x in (findings.outside, findings.mobility) if x]
@@ -60,7 +64,7 @@ def _checks(along: tuple[AlongRun, ...]) -> str:
             *([("largest error of the momentum of floating bases, relative",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
-            *_closures(along), *_contacts(along),
+            *_closures(along), *_contacts(along), *_bristles(along),
             ("forward after inverse dynamics: largest error, in u",
              *(f"{x.round_trip:.3g}" for x in along)),
             ("largest condition number of the mass matrix, SI units",
@@ -89,13 +93,43 @@ def _contacts(along: tuple[AlongRun, ...]) -> list[tuple[str, ...]]:
     contacts = [x.contacts for x in along if x.contacts]
     if not contacts:
         return []
-    return [("deepest contact, over the depth at rest",
-             *(f"{x.depth:.2g}, at t = {x.at:g} s" for x in contacts)),
-            ("share of closed contacts in all, and of slipping ones in these",
+    return [("share of closed contacts in all, and of slipping ones in these",
              *(f"{x.closed:.2g}, {x.slipping:.2g}" for x in contacts)),
+            ("least normal force of contacts, over the largest force",
+             *(f"{x.least:.2g}" for x in contacts)),
             ("bounces that the parts of steps resolve",
              *("all" if math.isnan(x.unresolved) else f"not at t = {x.unresolved:g} s"
                for x in contacts))]
+
+
+def _bristles(along: tuple[AlongRun, ...]) -> list[tuple[str, ...]]:
+    """Rows on friction that holds."""
+    bristles = [x.bristles for x in along if x.bristles]
+    if not bristles:
+        return []
+    return [("dissipated by contacts and sticking joints, J",
+             *(f"{x.dissipated:.3g}" for x in bristles)),
+            ("most energy in bristles, J", *(f"{x.stored:.2g}" for x in bristles)),
+            ("most that they give back, J", *(f"{x.returned:.2g}" for x in bristles))]
+
+
+def _each_contact(findings: Findings) -> str:
+    """A table of the contacts that ever close, the deepest first, or a line that none does."""
+    its = [x.contacts.each for x in findings.along if x.contacts]
+    order = sorted(range(len(its[0])), key=lambda i: -max(x[i].depth for x in its))
+    closed = [i for i in order if any(x[i].closed for x in its)]
+    if not closed:
+        return "no contact closes"
+    apart = findings.touching_apart
+    rows = [(its[0][i].name, *(text for x in its for text in (
+        f"{x[i].depth:.2f}", f"{x[i].at:g}", f"{x[i].ends:.2f}", f"{x[i].slipping:.2g}")),
+        *([f"{apart[i]:.2g}"] if apart else [])) for i in closed[:_MOST]]
+    columns = [text for x in findings.along if x.contacts
+               for text in (f"deepest, {x.precision}", "at t, s", "at the end", "slips")]
+    more = f"\nand {len(closed) - _MOST} less deep contacts" if len(closed) > _MOST else ""
+    return str(tabulate(rows, (_DEPTHS, *columns, *(["apart, m"] if apart else [])),
+                        disable_numparse=True, colalign=("left", *["right"] * (
+                            len(rows[0]) - 1)))) + more
 
 
 def _open(loops: Closures) -> str:
@@ -157,6 +191,16 @@ def _false(along: AlongRun) -> str:
                 f"chaotic, or too stiff for them{until}")
     if along.loops and not along.loops.passed:
         return _open(along.loops)
+    if along.contacts and (sunk := along.contacts.through):
+        return sinks(sunk.name, sunk.at)
+    if along.bristles and not along.bristles.passed:
+        return (f"contacts or sticking joints give back {along.bristles.returned:.2g} J of what "
+                f"they dissipated by t = {along.bristles.at:.4g} s, allowed is "
+                f"{along.bristles.allowed:.2g} J: take a smaller step")
+    if along.contacts and not along.contacts.passed:
+        return (f"a contact pulls at t = {along.contacts.pulls_at:.4g} s, by "
+                f"{-along.contacts.least:.2g} of the largest force: this is a defect of its law, "
+                "or its numbers overflow")
     return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
             f"half the step nor 1/{THIRD_RUN} of it helps: the power of an effect is not that of "
             "its force, or changes between the samples")

@@ -7,10 +7,12 @@ in double precision decide.  Errors are compared with the sizes of the run since
 never stop a run, and no start passes if its steps do not resolve it.
 
 It also compares, with the largest kinetic energy about the centres of mass,
-- the energy, in scenes without sources and dissipation;
+- the energy, that of bristles included, in scenes without sources: where effects only dissipate,
+  it may not rise;
 - the momentum of floating bases, which is known at all times: the energy of the excess motion.
-Loops must stay closed.  And it compares the change of coordinates with the integral of velocities:
-numbers of single precision may be too coarse for the change."""
+Loops must stay closed, and no contact may be deeper than its radius.  And it compares the change of
+coordinates with the integral of velocities: numbers of single precision may be too coarse for the
+change."""
 
 import math
 from collections.abc import Callable
@@ -18,10 +20,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coscrew_codegen.scene.function_selection import CLOSURE
+from coscrew_codegen.scene.function_selection import ALL_CONTACTS, CLOSURE
 from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation.check import windows
+from coscrew_codegen.simulation.check.bristle_check import only_dissipates, stored
+from coscrew_codegen.simulation.check.contact_check import depths_through, sinks, touching
 from coscrew_codegen.simulation.check.energy_balance import rounding
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, FROZEN, KEPT
 from coscrew_codegen.simulation.check.motion_error import Extent, StateParts
@@ -68,9 +72,11 @@ class Alarm:
         self._kinetic, self._rounding = np.zeros(lead), np.zeros(lead)  # the largest so far
         self._errors = _Worst(lead, len(self._parts.parts), run)
         self._energies, self._momenta = _Worst(lead, 1, run), _Worst(lead, its.functions.nv, run)
-        self._energy = sum(its.energies(self.plan.begin, q, v))
+        self._energy = sum(its.energies(self.plan.begin, q, v)) + stored(its, self.plan.begin, q, v)
         self._momentum = its.momentum(q, v)
         self._conservative = its.zero("power") and not self.driven
+        self._passive = only_dissipates(its) and not self.driven
+        self._through = depths_through(its) if its.has(ALL_CONTACTS) else None
         self._way = windows.Way(its, self._integrator)
         self._next = self._every
         first = self.plan.steps(min(self.plan.every, run))
@@ -100,7 +106,7 @@ class Alarm:
         self._look(t - self.plan.begin, h, q, v, _LATER)
         for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
             wrong = problem(last, alive) | wrong
-        return self._of_loops(t, q, alive) | wrong
+        return self._of_contacts(t, q, v, alive) | self._of_loops(t, q, alive) | wrong
 
     @property
     def idle(self) -> int:
@@ -120,9 +126,14 @@ class Alarm:
         self._kinetic = np.fmax(self._kinetic, np.where(np.isfinite(moving), moving, 0))
         self._rounding = np.fmax(self._rounding, rounding(self.system, potential) + kinetic *
                                  self._steps * np.finfo(self.system.dtype).eps)
-        if self._conservative and (self._integrator.order > 1 or self._steps >= _SETTLED):
-            off = np.maximum(np.abs(kinetic + potential - self._energy) - self._rounding, 0)
+        if (self._conservative or self._passive) and (
+                self._integrator.order > 1 or self._steps >= _SETTLED):
+            energy = kinetic + potential + stored(self.system, t, q, v)
+            risen = energy - self._energy
+            off = np.maximum((np.abs(risen) if self._conservative else risen) - self._rounding, 0)
             self._energies.add(since, off[..., None], KEPT * self._kinetic[..., None])
+            if not self._conservative:
+                self._energy = np.fmin(self._energy, energy)
         if self._momentum is not None:
             right = self.system.kept(self._momentum, since, q, v)[1]
             apart = (np.asarray(right, float) - v).astype(self.system.dtype)
@@ -164,9 +175,10 @@ class Alarm:
 
     def _of_energy(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         bad = self._energies.beyond(KEPT * self._kinetic[..., None], last)[..., 0] & alive
-        return {i: ("", f"energy is not kept at t = {self._energies.at[i][0]:.9g} s: it changed by "
+        how, why = ("changed", "in or dissipates it") if self._conservative else ("rose", "in")
+        return {i: ("", f"energy is not kept at t = {self._energies.at[i][0]:.9g} s: it {how} by "
                     f"{_ratio(self._energies.worst[i][0], self._kinetic[i]):.2g} of the kinetic "
-                    f"energy, and nothing feeds it in or dissipates it; {self.remedy_in_words()}")
+                    f"energy, and nothing feeds it {why}; {self.remedy_in_words()}")
                 for i in _indices(bad)}
 
     def _of_momentum(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
@@ -188,6 +200,16 @@ class Alarm:
         return {i: ("", f"closed loops open by {gap[i]:.2g} m or rad at t = {t:.9g} s; "
                     f"{self.remedy_in_words()}")
                 for i in _indices(alive & ~(gap <= allowed(self.system, q[alive])))}
+
+    def _of_contacts(self, t: float, q: np.ndarray, v: np.ndarray, alive: np.ndarray
+                     ) -> dict[Index, tuple[str, str]]:
+        if self._through is None:
+            return {}
+        with np.errstate(all="ignore"):
+            sunk = self.system.outputs(ALL_CONTACTS, t=t, q=q, v=v)[2] >= self._through
+        names = [x.name for x in touching(self.system)]
+        return {i: ("", sinks(names[int(np.argmax(sunk[i]))], t))
+                for i in _indices(sunk.any(-1) & alive)}
 
     def _time(self, i: Index, k: int) -> float:
         return self.plan.begin + float(self._errors.at[i][k])

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
+from coscrew_codegen.simulation.check.bristle_check import Bristles
 from coscrew_codegen.simulation.check.check_rounding import RoundedResults
 from coscrew_codegen.simulation.check.contact_check import ContactsOfRun
 from coscrew_codegen.simulation.check.energy_balance import Balance
@@ -62,6 +63,7 @@ class AlongRun:
     remedy: str = ""  # settings that were tried and make a false run right
     loops: Closures | None = None  # of scenes with closed loops
     contacts: ContactsOfRun | None = None  # of scenes in which bodies touch
+    bristles: Bristles | None = None  # of scenes in which friction holds, sampled at every step
 
     @property
     def as_double(self) -> bool:
@@ -143,9 +145,11 @@ class AlongRun:
 
     @property
     def passed(self) -> bool:
-        """True if the motion is known and right, energies balance, and loops stay closed."""
+        """True if the motion is known and right, energies balance, loops stay closed, contacts
+        push, and friction dissipates."""
         return (self.right and self.resolved and self.balanced
-                and (self.loops is None or self.loops.passed))
+                and all(x is None or x.passed for x in (
+                    self.loops, self.contacts, self.bristles)))
 
     @property
     def by_rounding(self) -> bool:
@@ -168,6 +172,8 @@ class Findings:
     outside: str = ""  # joints that start outside their ranges, in words
     rounding: tuple[RoundedResults, ...] = ()  # of the judged functions
     mobility: str = ""  # the freedoms that closed loops leave, in words
+    touching_apart: tuple[float, ...] = ()  # the largest distance of each contact's points between
+    # the precisions, in m
 
     @property
     def passed(self) -> bool:

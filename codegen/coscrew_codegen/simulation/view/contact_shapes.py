@@ -59,7 +59,8 @@ def _stem(contact: Applied) -> str:
 
 
 def _joined(parts: Sequence[Applied], system: System, point: float) -> Iterator[Shape]:
-    """The shape of these parts: eight corners are a box, two ends a capsule."""
+    """The shape of these parts: eight corners are a box, two ends a capsule, two rims about an
+    axis a cylinder."""
     places = np.array([numbers_of(system, x.vector("point")) for x in parts])
     singles = [_single(x, place, system, point) for x, place in zip(parts, places, strict=True)]
     kinds, sizes = {str(x.values["shape"]) for x in parts}, {size for _, size, _ in singles}
@@ -69,8 +70,21 @@ def _joined(parts: Sequence[Applied], system: System, point: float) -> Iterator[
         yield "box", tuple((high - low).tolist()), (*((low + high) / 2).tolist(), *HERE[3:])
     elif kinds == {"sphere"} and len(parts) == 2 and len(sizes) == 1:
         yield _round(*places, *singles[0][1])
+    elif kinds == {"disc"} and len(parts) == 2 and len(sizes) == 1 and _on_axis(parts, system):
+        length = float(np.linalg.norm(places[1] - places[0]))
+        yield "cylinder", (singles[0][1][0], length), along(places.mean(0), places[1] - places[0])
     else:
         yield from singles
+
+
+def _on_axis(discs: Sequence[Applied], system: System) -> bool:
+    """Returns whether the line between two discs is the axis of both."""
+    first, second = (numbers_of(system, x.vector("point")) for x in discs)
+    line = second - first
+    axes = [numbers_of(system, x.vector("axis")) for x in discs]
+    return bool(np.any(line)) and all(
+        np.linalg.norm(np.cross(line, x)) < 1e-9 * np.linalg.norm(line) * np.linalg.norm(x)
+        for x in axes)
 
 
 def _single(contact: Applied, place: np.ndarray, system: System, point: float) -> Shape:

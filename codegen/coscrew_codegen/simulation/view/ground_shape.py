@@ -1,8 +1,12 @@
 """The ground of a picture: the plane or the heights on which a scene's contacts stand."""
 
+from functools import partial
+
 import numpy as np
 
 from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.program.values.table_arrays import gathered, indices
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.contact_shapes import contacts
@@ -13,7 +17,7 @@ _POINTS = 96  # of heights, along each edge
 _MARGIN = 0.75  # beyond where bodies are, in the extent of their positions
 _ARRAYS = {"sin": np.sin, "cos": np.cos, "exp": np.exp, "tanh": np.tanh, "sqrt": np.sqrt,
            "abs": np.abs, "min": np.minimum, "max": np.maximum, "pi": np.pi, "number": float,
-           "less": np.less, "where": np.where}
+           "index": indices, "gather": partial(gathered, DOUBLE)}
 
 
 def ground_of(system: System, poses: np.ndarray, block: NumberBlock) -> Json:

@@ -37,6 +37,11 @@ class SignalGroup:
     unit: str
     signals: list[tuple[str, str, int, np.ndarray]] = field(default_factory=list)
 
+    @property
+    def heading(self) -> str:
+        """The title with the unit, by which groups differ: "Positions q, rad"."""
+        return f"{self.title}, {self.unit}" if self.unit else self.title
+
 
 def grouped(system: System, columns: Sequence[Column], runs: Sequence[Columns]
             ) -> list[SignalGroup]:
@@ -96,7 +101,7 @@ def _unit(unit: str) -> str:
 def packed(groups: Sequence[SignalGroup], block: NumberBlock) -> Json:
     """The groups for the page.  Values are single precision, less the middle of a narrow range."""
     first = {x.quantity: x for x in reversed(groups)}
-    return [{"title": x.title, "unit": x.unit, "shown": first[x.quantity] is x and
+    return [{"heading": x.heading, "shown": first[x.quantity] is x and
              x.quantity in _SHOWN, "signals": [
         {"name": name, "label": label, "run": run, **_values(values, block)}
         for name, label, run, values in x.signals]} for x in groups]

@@ -100,8 +100,10 @@ def _model(system: System, shown: Set[int]) -> dict[str, Json]:
             if inertia else 0.0,
             "com": numbers_of(system, inertia.com).tolist() if inertia else [0.0] * 3})
     joints: list[Json] = [
-        {"name": x.name, "kind": x.kind.name, "moves": x.kind.moves, "parent": numbers[x.parent],
-         "child": numbers[x.child], "axis": [*map(float, x.axis)] if len(x.axes) == 1 else None}
+        {"name": x.name, "kind": x.kind.name, "moves": x.kind.moves,
+         "slides": any(not part.turns for part in x.kind.parts), "parent": numbers[x.parent],
+         "child": numbers[x.child],
+         "axis": [*map(float, x.axis)] if len(x.axes) == 1 else None}
         for x in model.joints]
     labels = [{"name": x.name, "body": n, "at": numbers_of(system, x.inertia.com).tolist()}
               for n, x in enumerate(model.bodies) if x.inertia and n in shown]

@@ -11,11 +11,13 @@ import rerun as rr
 from rerun import blueprint as layout
 
 from coscrew_codegen.simulation.view.body_shapes import DrawnPart
+from coscrew_codegen.simulation.view.mesh_normals import creased
 from coscrew_codegen.simulation.view.page_runs import PageRun
 from coscrew_codegen.simulation.view.playback import Playback, unique_labels, up_of
 
 _SPACE, _SIGNALS = "world", "signals"
 _PALE = 0.35  # opacity of ghosts
+_SHARES = (2, 1)  # of the robot and the plots in the width
 
 
 def write(shown: Playback, path: Path) -> None:
@@ -32,7 +34,7 @@ def write(shown: Playback, path: Path) -> None:
     for group in shown.groups:
         for _, signal, number, values in group.signals:
             curve = f"{signal} ({labels[number]})" if number else signal
-            stream.send_columns(_entity(_SIGNALS, group.title, curve),
+            stream.send_columns(_entity(_SIGNALS, group.heading, curve),
                                 [_times(shown.runs[number])], rr.Scalars.columns(scalars=values))
     stream.flush()
     stream.disconnect()
@@ -58,7 +60,8 @@ def _shape(part: DrawnPart, opacity: float) -> Iterator[rr.AsComponents]:
     colour = [round(255 * x) for x in (*part.colour[:3], opacity * [*part.colour, 1.0][3])]
     solid = {"colors": [colour], "fill_mode": "solid"}
     if part.piece:
-        yield rr.Mesh3D(vertex_positions=part.piece.vertices, triangle_indices=part.piece.faces,
+        vertices, faces, normals = creased(part.piece.vertices, part.piece.faces)
+        yield rr.Mesh3D(vertex_positions=vertices, triangle_indices=faces, vertex_normals=normals,
                         albedo_factor=colour)
     elif part.shape == "box":
         yield rr.Boxes3D(sizes=[part.size], **solid)
@@ -84,11 +87,11 @@ def _layout(shown: Playback) -> layout.Blueprint:
     """The robot, beside it a plot for each group of signals."""
     hidden = {_entity(_SPACE, label): layout.EntityBehavior(visible=False)
               for label, run in zip(unique_labels(shown), shown.runs, strict=True) if not run.shown}
-    plots = [layout.TimeSeriesView(origin=_entity(_SIGNALS, x.title),
-                                   name=f"{x.title} [{x.unit}]" if x.unit else x.title)
+    plots = [layout.TimeSeriesView(origin=_entity(_SIGNALS, x.heading), name=x.heading)
              for x in shown.groups]
     robot = layout.Spatial3DView(origin=_SPACE, overrides=hidden)
-    return layout.Blueprint(layout.Horizontal(robot, layout.Vertical(*plots)))
+    return layout.Blueprint(layout.Horizontal(robot, layout.Vertical(*plots),
+                                              column_shares=_SHARES))
 
 
 def _times(run: PageRun) -> rr.TimeColumn:

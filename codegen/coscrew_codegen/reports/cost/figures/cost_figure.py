@@ -10,12 +10,13 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from coscrew_codegen.accuracy.tiers import PLAIN
+from coscrew_codegen.accuracy.tiers import PLAIN, tier_named
 from coscrew_codegen.backends.html import plots
 from coscrew_codegen.program.values.digits import three_digits
 from coscrew_codegen.program.values.formats import BY_NAME, PRECISIONS
 from coscrew_codegen.reports.cost.cost_measurement import Costs
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors, units_with_errors
+from coscrew_codegen.reports.cost.needs.core_costs import CORES, CoreCost
 from coscrew_codegen.reports.cost.needs.need import Need
 from coscrew_codegen.reports.cost.recommendations import recommended, undominated
 from coscrew_codegen.reports.cost.run_errors import RunErrors
@@ -35,6 +36,49 @@ def functions(costs: Costs) -> Iterator[plots.Panel]:
                 partial(panel, rows=rows, number=number, needs=costs.needs))
 
 
+def cores(costs: Costs) -> Iterator[plots.Panel]:
+    """A panel for this machine and each core, for each function, if the scene selects fixed point:
+    the proved bound against time or instructions."""
+    for name in dict.fromkeys(x.function for x in costs.cores):
+        rows = [x for x in costs.cores if x.function == name and x.bounds]
+        for where in ("", *CORES):
+            yield plots.Panel(
+                f"Bound of {name} against {'instructions on a ' * bool(where)}{where or 'time'}",
+                partial(bounds, rows=rows, where=where))
+
+
+def bounds(axes: Axes, rows: Sequence[CoreCost], where: str, named: bool = True) -> None:
+    """Draws a mark for each number format at the bound in the first unit, with a line from the
+    worst error found: the proved bound or, of certified functions, the largest one returned.
+    `where` is a core, or "" for this machine; bounds and tiers are `named` beside the marks."""
+    unit = next(iter(rows[0].bounds))
+    axes.set(title=f"{rows[0].function}, {where or 'this machine'}",
+             xlabel="instructions per call" if where else "ns per call in C",
+             ylabel="proved bound" if unit == "1" else f"proved bound, {written(unit)}")
+    plots.scatter(axes, [_bound(x, unit, where, named) for x in rows])
+    if named:
+        plots.tier_legend(axes, (x.tier for x in rows))
+
+
+def _bound(x: CoreCost, unit: str, where: str, named: bool) -> plots.Mark:
+    low, middle, high = (x.instructions.get(where, math.nan),) * 3 if where else (
+        (x.time.low, x.time.median, x.time.high) if x.time else (math.nan,) * 3)
+    word, bound = ("largest", x.returned[unit]) if unit in x.returned else (
+        "proved", x.bounds[unit])
+    worst, words = x.worst.get(unit, 0.0), in_unit(bound, unit)
+    return plots.Mark(
+        f"{x.function} {x.format} {where}".strip(), middle, low, high, bound,
+        plots.COLOURS[x.tier], shape(x), label=words * named, foot=worst, title=(
+            f"{x.format}: {word} {words}{f', found {in_unit(worst, unit)}' if worst else ''}, "
+            f"{middle:,.0f}{' instructions' if where else ' ns'}"))
+
+
+def shape(x: CoreCost) -> str:
+    """The shape of a format's marks: its precision's, but mixtures and fixed point have others."""
+    plain = BY_NAME[x.precision].marker if x.precision in BY_NAME else "D"
+    return "^" if tier_named(x.tier).on_request else plain
+
+
 def runs(costs: Costs) -> Iterator[plots.Panel]:
     """Panels of effects and of runs, if they were measured."""
     if costs.runs:
@@ -47,7 +91,7 @@ def runs(costs: Costs) -> Iterator[plots.Panel]:
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
     with delivered(path) as temporary:
-        plots.write(plots.drawn((*functions(costs), *runs(costs))), temporary)
+        plots.write(plots.drawn((*cores(costs), *functions(costs), *runs(costs))), temporary)
 
 
 def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0,

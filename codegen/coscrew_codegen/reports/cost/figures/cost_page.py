@@ -81,6 +81,8 @@ def _chapters(costs: Costs) -> Iterator[Chapter]:
         yield Chapter("What suffices", tables=(
             *((need_table.table(costs.answers),) if costs.answers else ()),
             *((core_costs.table(costs.cores),) if costs.cores else ())))
+    if costs.cores:
+        yield Chapter("Bounds against time and instructions", figures=(*cost_figure.cores(costs),))
     if costs.accuracy:
         yield Chapter("Error against time", (_FUNCTIONS,), (*cost_figure.functions(costs),))
     if panels := (*cost_figure.runs(costs),):

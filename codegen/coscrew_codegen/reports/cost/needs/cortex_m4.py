@@ -1,13 +1,15 @@
 """Functions of scenes on a Cortex-M4F, and on cores without floating point: their results and
 instruction counts, under qemu-user.
 
-Programs need no library to start: they make Linux's system calls.  With -singlestep every
-instruction is a block of its own, and qemu's log of blocks has a line for each.  Where the compiler
-or qemu is missing, instructions are estimated from the operations of the function's Program.
+Programs need no library to start: they make Linux's system calls.  qemu's log lists the
+instructions of each block where it is translated, and names the blocks that are executed.  Where
+the compiler or qemu is missing, instructions are estimated from the operations of the function's
+Program.
 """
 
 import subprocess
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from shutil import which
 
@@ -60,10 +62,13 @@ def missing() -> tuple[str, ...]:
 
 def built(folder: Path, stem: str, precision: Precision,
           compiler: Sequence[str] = COMPILER) -> Path:
-    """The object of a header's functions in one precision; its files lie in this folder."""
-    made = folder / f"{stem}_{precision.name}.o"
-    _run((*compiler, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
-          made))
+    """The object of a header's functions in one precision, compiled once; its files lie in this
+    folder."""
+    core = compiler[1].rpartition("=")[2]
+    made = folder / f"{stem}_{precision.name}_{core}.o"
+    if not made.exists():
+        _run((*compiler, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
+              made))
     return made
 
 
@@ -77,10 +82,25 @@ def counted(made: Path, header: str, function: FunctionProgram, name: str,
     _run((*compiler, "-Wl,--gc-sections", "-nostartfiles", source, made, "-o", program, "-lm"))
     lengths, log = [], made.with_name(f"{name}.log")
     for more in ((), ("again",)):
-        result = _run((EMULATOR, "-singlestep", "-d", "exec,nochain", "-D", log, program, *more))
+        result = _run((EMULATOR, "-d", "in_asm,exec,nochain", "-D", log, program, *more))
         with log.open() as lines:
-            lengths.append(sum(line.startswith("Trace") for line in lines))
+            lengths.append(_executed(lines))
     return lengths[1] - lengths[0], np.frombuffer(result, precision.numpy_type)
+
+
+def _executed(log: Iterable[str]) -> int:
+    """The instructions of a log: of each block as many as were listed before its first line."""
+    sizes: dict[str, int] = {}
+    times, listed = Counter[str](), 0
+    for line in log:
+        if line.startswith("0x"):
+            listed += 1
+        elif line.startswith("Trace"):
+            block = line.split(maxsplit=3)[2]
+            if listed:
+                sizes[block], listed = listed, 0
+            times[block] += 1
+    return sum(sizes[block] * count for block, count in times.items())
 
 
 def estimated(function: FunctionProgram, precision: Precision) -> int:
@@ -108,7 +128,7 @@ def _program(function: FunctionProgram, header: str, name: str, given: Sequence[
     """A program that calls the function with one state, and writes its results."""
     kind, suffix = precision.c_type, precision.suffix
     arguments, lines = [], []
-    for a, x in zip(function.program.inputs, given, strict=True):
+    for a, x in zip(function.inputs, given, strict=True):
         numbers = ", ".join(str(y) if isinstance(y, np.integer) else f"{float(y).hex()}{suffix}"
                             for y in np.ravel(x))
         lines.append(f"static volatile {kind} {a.name}_[] = {{{numbers}}};")

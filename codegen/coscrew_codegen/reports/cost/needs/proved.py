@@ -37,8 +37,11 @@ def proved(function: FunctionProgram, choice: TierChoice, box: Box) -> tuple[flo
 def over_ranges(function: FunctionProgram, choice: TierChoice) -> tuple[float, ...] | None:
     """The bounds of each component over the ranges that the scene states; None without ranges, or
     if the tier has no proof."""
-    proof = tier_named(choice.tier).proof
-    bounds = proof(function, choice.precision) if proof and function.ranges else None
+    tier = tier_named(choice.tier)
+    if tier.on_request:  # proved within the request, when it was made
+        request = function.accuracy
+        return request.tolerances if request and request.stated else None
+    bounds = tier.proof(function, choice.precision) if tier.proof and function.ranges else None
     return tuple(float(x.error) for x in bounds) if bounds else None
 
 

@@ -87,7 +87,7 @@ def _force(state: BodyState, values: Values) -> Force:
         state.own_direction(law.moment) if turning else None, law.energy, law.power,
         slopes=PointSlopes(law.across, law.along, up), turning=turning,
         rates=law.rates, bounded=law.bounded, share=law.share, switches=law.switches,
-        contact=law.contact)
+        stored=law.stored, contact=law.contact)
 
 
 EFFECT = Effect(

@@ -27,10 +27,11 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
         ratio = v * (1 / values["v_s"])
         level = tau_c + (tau_s - tau_c) * exp(-(ratio * ratio))
     k = values["k"]
-    share = minimum(level / maximum(k * absolute(z), _LEAST), 1)
+    bent = k * absolute(z)
+    share, held = minimum(level / maximum(bent, _LEAST), 1), minimum(bent, level)
     pull = k * z + values["d"] * v
     return Torque(-pull, limit=level, rates=(v,), bounded=(z,), share=share,
-                  switches=(level - absolute(pull), level - k * absolute(z)))
+                  switches=(level - absolute(pull), level - bent), stored=held * held / (2 * k))
 
 
 def _completed(values: Given, _: Resting) -> Given:

@@ -14,14 +14,15 @@ from coscrew_codegen.scene.scene_function import Depends, SceneFunction
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The function's adjoint."""
-    if not differentiable(function, scene):
+    if not differentiable(function):
         return None
     results = outputs_of(function, scene)
     return replace(
         function, name=f"{function.name}_adjoint", place=own.place, differentiates=function,
         words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
-        more=tuple(derivative(x, "w_") for x in results), step=None, shown=False,
-        outputs=(*results, *map(gradient, inputs_of(function, scene))), default=own.default,
+        more=tuple(derivative(x, "w_", scene) for x in results), step=None, shown=False,
+        outputs=(*results, *(gradient(x, scene) for x in inputs_of(function, scene))),
+        default=own.default,
         compute=lambda x: x.adjoint(function), judged=False, members=None, targets=None)
 
 

@@ -3,26 +3,40 @@
 from dataclasses import replace
 
 from coscrew_codegen.scene import units
-from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
+from coscrew_codegen.scene.functions.derivatives.directions import displacements
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
+from coscrew_codegen.scene.units import Kinds, Units
 
-_BY_STATE = Array("A", (AxisLength.STATE, AxisLength.STATE), units.states_by_states)
-_BY = {"tau": Array("B_tau", (AxisLength.STATE, AxisLength.NV), units.states_by_torques),
-       "p": Array("B_p", (AxisLength.STATE, AxisLength.PARAMETERS), ("1",))}
+
+def _matrices(scene: Scene) -> dict[str, Array]:
+    """The derivatives by q and v, tau and p, if the step takes these."""
+    displaced = displacements(scene)
+
+    def state(kinds: Kinds) -> tuple[str, ...]:
+        own = displaced(kinds) if callable(displaced) else displaced
+        return *own, *units.velocities(kinds)
+
+    def by(columns: Units) -> Units:
+        return lambda kinds: units.over(
+            state(kinds), columns(kinds) if callable(columns) else columns)
+
+    return {"q": Array("A", (AxisLength.STATE, AxisLength.STATE), by(state)),
+            "tau": Array("B_tau", (AxisLength.STATE, AxisLength.NV), by(units.torques)),
+            "p": Array("B_p", (AxisLength.STATE, AxisLength.PARAMETERS), ("1",))}
 
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The step's derivatives."""
-    if not function.step or states_of(scene):
+    if not function.step:
         return None
     given = {x.name for x in inputs_of(function, scene)}
     return replace(
         function, name=f"{function.name}_derivatives", place=own.place, differentiates=function,
         words=own.words.replace("step_INTEGRATOR", function.name), step=None, default=own.default,
-        outputs=(*outputs_of(function, scene), _BY_STATE,
-                 *(x for y, x in _BY.items() if y in given)),
+        outputs=(*outputs_of(function, scene),
+                 *(x for y, x in _matrices(scene).items() if y in given)),
         compute=lambda x: x.step_derivatives(function), members=None)
 
 

@@ -10,14 +10,15 @@ from coscrew_codegen.scene.scene_function import Depends, SceneFunction
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The function's tangent."""
-    if not differentiable(function, scene):
+    if not differentiable(function):
         return None
     results = outputs_of(function, scene)
     return replace(
         function, name=f"{function.name}_tangent", place=own.place, differentiates=function,
         words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
-        more=tuple(derivative(x, "d_") for x in inputs_of(function, scene)), step=None, shown=False,
-        outputs=(*results, *(derivative(x, "d_") for x in results)), default=own.default,
+        more=tuple(derivative(x, "d_", scene) for x in inputs_of(function, scene)), step=None,
+        shown=False, outputs=(*results, *(derivative(x, "d_", scene) for x in results)),
+        default=own.default,
         compute=lambda x: x.tangent(function), judged=False, members=None, targets=None)
 
 

@@ -106,7 +106,7 @@ class _Sdf(SdfLoops):
                 continue
             if not self.lenient:
                 self.refuse(link, f"lacks <{tag}>, for which SDF takes {_DEFAULTS[tag]}; wanted "
-                                  f'it, or implausible = "{WARN}"')
+                                  f'it, or implausible = "{WARN}" (--implausible {WARN})')
             self.lacking.append(f"body {full!r}: lacks <{tag}>; SDF takes {_DEFAULTS[tag]}")
         return Body(full, self._inertia(inertial, full) if inertial else
                     Inertia(_ONE[0], _NONE, _ONE + _NONE), self.shapes.visuals(link))

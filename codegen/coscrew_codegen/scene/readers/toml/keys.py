@@ -291,3 +291,5 @@ SCENE = TableOf("", "The file itself.", (
 TABLES = (SCENE, ATTACH, PLACE, FRAME, BODY, SHAPE, CYLINDER, JOINT, ORIGIN, LIMITS, MIMIC,
           LOOP, ACCURACY, RANGES, ENDS, START, OUTPUTS, RUN, EXPECT)
 """All tables except those of effects."""
+TABLE_WITH = {name: table.heading for table in (OUTPUTS, RUN) for name in table.names}
+"""The headings of tables by keys that no other table of scenes has."""

@@ -11,6 +11,7 @@ from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene.readers.contents import read_text
 from coscrew_codegen.scene.readers.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
+from coscrew_codegen.scene.readers.toml.keys import TABLE_WITH
 
 SIZE = 2**20  # bytes
 _MESSAGE = 300  # characters of a message of tomllib
@@ -36,9 +37,12 @@ class TomlTable:
     def only(self, *keys: str) -> None:
         """Refuse keys other than these."""
         for key in self.values:
-            if key not in keys:
-                self.refuse(key, f"unknown key; {did_you_mean(key, keys)}" if keys
-                            else "unknown key; wanted none")
+            if key in keys:
+                continue
+            if key in TABLE_WITH:
+                self.refuse(key, f"unknown key; [{TABLE_WITH[key]}] has it")
+            self.refuse(key, f"unknown key; {did_you_mean(key, keys)}" if keys
+                        else "unknown key; wanted none")
 
     def refuse(self, key: str, problem: str) -> NoReturn:
         """Raise SceneError about a key ("": about the table)."""

@@ -12,17 +12,20 @@ from coscrew_codegen.scene.formulas import PLACE
 from coscrew_codegen.scene.readers.contents import read_text
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.tables.height_image import height_image
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 
-_SIZE = 2**20  # bytes
+_SIZE = 2**25  # bytes
 _UNEVEN = Fraction(1, 10**6)
 """Difference of two spacings, relative to them, below which they are the same."""
 
 
 def height_grid(table: TomlTable) -> HeightGrid:
     """The heights that a table names.  Raises SceneError, with the file and the line."""
-    table.only("file")
     path = table.file.parent / table.text("file")
+    if path.suffix.lower() == ".png":
+        return height_image(table, path)
+    table.only("file")
     lines = [(n, line) for n, line in enumerate(read_text(path, _SIZE).splitlines(), 1)
              if line.strip() and not line.startswith("#")]
     cells = list(zip((n for n, _ in lines), csv.reader(x for _, x in lines), strict=True))

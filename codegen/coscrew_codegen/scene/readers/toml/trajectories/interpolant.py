@@ -8,15 +8,15 @@ the points are.  Before the first point and after the last it holds their values
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
+from coscrew_codegen.program.tables import ConstantTable, TableColumn
 from coscrew_codegen.scene.formulas import Formula, V
 
-MOST = 128
-"""Points of a trajectory: each takes a choice of five numbers at every evaluation."""
-
-_Cubic = tuple[Fraction, ...]  # its start, and the coefficients of powers of the time since then
+MOST = 100_000
+"""Largest number of points of a trajectory."""
 
 
 @dataclass(frozen=True)
@@ -47,35 +47,57 @@ class Interpolant(Formula):
 
     def value(self, t: V, functions: Mapping[str, object]) -> V:
         """The value at the time t, for any kind of numbers; `functions` as for formulas, with
-        "less" and "where"."""
-        start, *powers = _chosen(functions, t, self._cubics())
-        s, result = t - start, powers[-1]
-        for power in reversed(powers[:-1]):
-            result = result * s + power
-        answer: V = result
-        return answer
+        "less", "where" and "gather"."""
+        f: Any = functions
+        row = self._row(f, t)
+        start, a, b, c, d = (f["gather"](TableColumn(self._cubics, k), row) for k in range(5))
+        s = t - start
+        result: V = ((3 * d) * s + 2 * c) * s + b if self.is_rate else ((d * s + c) * s + b) * s + a
+        return result
 
-    def _cubics(self) -> list[_Cubic]:
-        """A constant, the cubic after each point, a constant: value, or rate."""
-        slopes, none = _slopes(self.times, self.values), (Fraction(0),) * 3
-        results: list[_Cubic] = [(self.times[0], self.values[0], *none)]
-        for i, (start, end) in enumerate(pairwise(self.times)):
-            h, y = end - start, self.values[i]
-            mean = (self.values[i + 1] - y) / h
-            results.append((start, y, slopes[i], (3 * mean - 2 * slopes[i] - slopes[i + 1]) / h,
-                            (slopes[i] + slopes[i + 1] - 2 * mean) / h**2))
-        results.append((self.times[-1], self.values[-1], *none))
-        return [(x, b, 2 * c, 3 * d) for x, _, b, c, d in results] if self.is_rate else results
+    @cached_property
+    def _cubics(self) -> ConstantTable:
+        return _cubics(self.times, self.values)
+
+    def _row(self, f: Any, t: Any) -> Any:
+        """The last row that starts before t, or the first."""
+        starts = TableColumn(self._cubics, 0)
+        half = f["number"](Fraction(1, 2))
+        if (step := self._even) is not None:
+            first, per = f["number"](self.times[0]), f["number"](1 / step)
+            return _later(f, t, starts, (t - first) * per + half, 1)  # its row, or one before
+        row = half  # in its middle, so that no rounding leaves it
+        for bit in reversed(range((self._cubics.rows - 1).bit_length())):
+            row = _later(f, t, starts, row, 2**bit)
+        return row
+
+    @cached_property
+    def _even(self) -> Fraction | None:
+        """The step of times that are even, up to an eighth of it; None of others."""
+        first, step = self.times[0], (self.times[-1] - self.times[0]) / (len(self.times) - 1)
+        even = all(8 * abs(x - first - n * step) <= step for n, x in enumerate(self.times))
+        return step if even else None
 
 
-def _chosen(functions: Mapping[str, Any], t: Any, cubics: Sequence[_Cubic]) -> list[Any]:
-    """The numbers of the cubic at t, by halving: of the last that starts before, or the first."""
-    if len(cubics) == 1:
-        return [functions["number"](x) for x in cubics[0]]
-    half = len(cubics) // 2
-    before = functions["less"](t, functions["number"](cubics[half][0]))
-    return [functions["where"](before, a, b) for a, b in zip(
-        _chosen(functions, t, cubics[:half]), _chosen(functions, t, cubics[half:]), strict=True)]
+@lru_cache(8)  # a value and its rate read the same table
+def _cubics(times: Sequence[Fraction], values: Sequence[Fraction]) -> ConstantTable:
+    """A constant, the cubic after each point, a constant: of each its start, and the coefficients
+    of powers of the time since then."""
+    slopes, none = _slopes(times, values), (Fraction(0),) * 3
+    rows = [(times[0], values[0], *none)]
+    for i, (start, end) in enumerate(pairwise(times)):
+        h, y = end - start, values[i]
+        mean = (values[i + 1] - y) / h
+        rows.append((start, y, slopes[i], (3 * mean - 2 * slopes[i] - slopes[i + 1]) / h,
+                     (slopes[i] + slopes[i + 1] - 2 * mean) / h**2))
+    rows.append((times[-1], values[-1], *none))
+    return ConstantTable(tuple(x for row in rows for x in row), 5, 5)
+
+
+def _later(f: Any, t: Any, starts: TableColumn, row: Any, more: int) -> Any:
+    """A row, or one that is `more` rows behind it if that starts before t."""
+    other = row + more
+    return f["where"](f["less"](t, f["gather"](starts, other)), row, other)
 
 
 def _slopes(times: Sequence[Fraction], values: Sequence[Fraction]) -> list[Fraction]:

@@ -30,6 +30,8 @@ from coscrew_codegen.program.program import (
     Program,
     Ref,
 )
+from coscrew_codegen.program.splitting.columns import FEWEST, form, is_marked
+from coscrew_codegen.program.tables import TableColumn
 from coscrew_codegen.program.values.quantity import Argument, Quantity
 
 MOST_KEPT = Fraction(1, 4)
@@ -58,11 +60,13 @@ class Cut:
     last: Program
 
 
-def cut(programs: Sequence[Program], longest: int, name: str = "shared") -> dict[str, Cut]:
+def cut(programs: Sequence[Program], longest: int, name: str = "shared", columns: bool = False
+        ) -> dict[str, Cut]:
     """The programs in parts of at most `longest` steps (not counting comparisons), by name. A group
-    has the name of its program, or if it has several, `name` and a number."""
+    has the name of its program, or if it has several, `name` and a number.  With `columns`, those
+    that are alike are a part, of any length."""
     values = _Values(programs)
-    return _Cutting(programs, values, _groups(values), longest, name).cuts()
+    return _Cutting(programs, values, _groups(values), longest, name, columns).cuts()
 
 
 class _Given(NamedTuple):
@@ -72,7 +76,7 @@ class _Given(NamedTuple):
     place: int
 
 
-_Operand = int | _Given | Constant | NotANumber
+_Operand = int | _Given | Constant | NotANumber | TableColumn
 _Users = int
 """Programs: bit k stands for the program k."""
 
@@ -183,8 +187,10 @@ class _Cutting:
     """Groups of values, cut into parts."""
 
     def __init__(self, programs: Sequence[Program], values: _Values,
-                 groups: Mapping[_Users, Sequence[int]], longest: int, name: str):
+                 groups: Mapping[_Users, Sequence[int]], longest: int, name: str,
+                 columns: bool):
         self.programs, self.values, self.longest = programs, values, longest
+        self.with_columns = columns
         self.wide = any(program.wide for program in programs)
         self.pieces = {users: list(self._pieces(members)) for users, members in groups.items()}
         self.names = self._names(name)
@@ -232,16 +238,51 @@ class _Cutting:
         return result
 
     def _pieces(self, numbers: Sequence[int]) -> Iterator[list[int]]:
-        """The values in parts, cut where headings change if possible, else where components change.
-        """
+        """The values in parts, cut where headings change if possible, else where components change;
+        columns that are alike are parts of their own."""
         piece: list[int] = []
-        for block in self._blocks(numbers):
-            if piece and len(piece) + len(block) > self.longest:
+        for block, alone in self._arranged(numbers):
+            if piece and (alone or len(piece) + len(block) > self.longest):
                 yield piece
                 piece = []
             piece += block
+            if alone:
+                yield piece
+                piece = []
         if piece:
             yield piece
+
+    def _arranged(self, numbers: Sequence[int]) -> Iterator[tuple[Sequence[int], bool]]:
+        """Blocks of values; True with all columns that are alike, which stand where the first is.
+        """
+        moved = self._columns(numbers) if self.with_columns else {}
+        later = {x for runs in moved.values() for run in runs for x in run}
+        place = 0
+        while place < len(numbers):
+            if runs := moved.get(numbers[place]):
+                yield [x for run in runs for x in run], True
+                place += len(runs[0])
+                continue
+            end = next((n for n in range(place, len(numbers)) if numbers[n] in moved),
+                       len(numbers))
+            yield from ((block, False) for block in self._blocks(
+                [x for x in numbers[place:end] if x not in later]))
+            place = end
+
+    def _columns(self, numbers: Sequence[int]) -> dict[int, list[list[int]]]:
+        """Columns that are alike and read nothing behind the first of them, by its first value."""
+        places = {x: n for n, x in enumerate(numbers)}
+        alike: dict[object, list[list[int]]] = {}
+        for component, run in groupby(numbers, self.values.components.__getitem__):
+            steps = list(run)
+            if is_marked(component) and (of := form({x: self.values.steps[x] for x in steps})):
+                runs = alike.setdefault(of, [steps])
+                begin, own = places[runs[0][0]], set(steps)
+                if steps is not runs[0] and all(
+                        places.get(x, -1) < begin or x in own for step in steps
+                        for x in self.values.read(self.values.steps[step][1])):
+                    runs.append(steps)
+        return {runs[0][0]: runs for runs in alike.values() if len(runs) >= FEWEST}
 
     def _blocks(self, numbers: Sequence[int]) -> Iterator[Sequence[int]]:
         """The values in pieces that are not too long; a piece is not cut."""

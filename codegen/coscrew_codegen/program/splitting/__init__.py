@@ -1,0 +1,1 @@
+"""Splits long Programs into parts, and finds what repeats in them."""
