@@ -72,7 +72,7 @@ def test_a_ball_that_slides_slips_and_dissipates_what_friction_takes(tmp_path: P
         assert x.bristles.stored == pytest.approx(stored, rel=1e-3)
         assert x.bristles.dissipated == pytest.approx(
             grip * (9 * t - 7 / 4 * MU * G * t**2) - stored, rel=1e-3)
-    assert 1e-8 < findings.touching_apart[0] < 1e-5
+    assert 1e-8 < findings.contact_distances[0] < 1e-5
     words = table(findings)
     assert re.search(r"^contact\.ball +1\.00 ", words, re.MULTILINE)
     assert "apart, m" in words

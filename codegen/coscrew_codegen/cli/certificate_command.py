@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from coscrew_codegen.program.scene_functions import FunctionProgram
     from coscrew_codegen.program.values.formats import Precision
 
-CHECKER, OF_PAIRS, OF_FIXED = "check_bounds.py", "check_pairs.py", "check_fixed.py"
+CHECKER, PAIR_CHECKER, FIXED_CHECKER = "check_bounds.py", "check_pairs.py", "check_fixed.py"
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -26,7 +26,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Write for each function the bounds of all values over the scene's [ranges], "
                     f"a line each, and {CHECKER}, which checks them with fractions alone: python "
                     f"{CHECKER} < FILE.  bounds.json has the bounds of all results.  Functions in "
-                    f"tiers of pairs or in fixed point have {OF_PAIRS}, {OF_FIXED}.")
+                    f"tiers of pairs or in fixed point have {PAIR_CHECKER}, {FIXED_CHECKER}.")
     parser.add_argument("scene", metavar="SCENE", type=Path, help="a scene file with [ranges]")
     parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
                         help="folder to write to")
@@ -70,9 +70,9 @@ def run(options: argparse.Namespace) -> int:
                                       f"no bound: {reason(function)}"))
     if of_pairs := {name: text for f in functions.functions if f.ranges and not f.internal
                     for name, text in _of_tiers(f, scene.tiers, precisions)}:
-        files |= {OF_PAIRS: copied(f"certificate/{OF_PAIRS}"), **of_pairs}
+        files |= {PAIR_CHECKER: copied(f"certificate/{PAIR_CHECKER}"), **of_pairs}
     for fixed in fixed_of(functions):
-        files |= {OF_FIXED: copied(f"certificate/{OF_FIXED}"), **dict(_of_fixed(fixed))}
+        files |= {FIXED_CHECKER: copied(f"certificate/{FIXED_CHECKER}"), **dict(_of_fixed(fixed))}
     files["bounds.json"] = json.dumps(bounds, indent=1) + "\n"
     write(files, options.output)
     return 0
