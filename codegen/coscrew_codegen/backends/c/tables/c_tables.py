@@ -42,8 +42,8 @@ def written(programs: Iterable[Program], precision: Precision) -> str:
 
 def template_data(table: ConstantTable, precision: Precision, suffix: str = ""
                   ) -> dict[str, object]:
-    """What templates need of a table: its name and sizes, and its numbers as literals, the
-    shortest decimals that round to them, which end in the suffix."""
+    """Returns a table's name and sizes, and its numbers as literals, for templates; literals are
+    the shortest decimals that round to the numbers, and end in the suffix."""
     numbers = [f"{x}{suffix}" for x in rounded(table, precision)]
     return {"name": table.name, "rows": table.rows, "stride": table.stride, "width": table.width,
             "count": len(numbers), "numbers": listed("    ", numbers, "", WIDTH)}
