@@ -18,7 +18,7 @@ speeds of rotors behind elastic gears, and what follows with a lag follows the d
 (v0 + v1)/2: by h/2 for the kick, by h in all.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -77,7 +77,7 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     recorder = x.recorder
     h, = recorder.argument("h")
     v = recorder.argument("v")
-    q, carried = _drifted(x, recorder.argument("q"), v), carries(x.scene)
+    q, carried = _drifted(x, recorder.argument("q"), v, _way_before), carries(x.scene)
     first = x.motion(at=(q, v), carried=carried)
     start = AppliedEffects(x.scene, first, over=h / 2).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
@@ -120,12 +120,39 @@ def _turned(x: FunctionRecording, q: Sequence[Number], a: Sequence[Number],
     return results
 
 
-def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
-    """q with the effects' states moved by h/2 x'."""
+def _way_before(x: Number, step: Number) -> Number:
+    """How far a number came that was moved to x by a step: with its rounding, since all numbers
+    near x have the same spacing."""
+    return x - (x - step)
+
+
+def _way_after(x: Number, step: Number) -> Number:
+    """How far a step moves the number x, with its rounding."""
+    return x + step - x
+
+
+def _ways(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number],
+          way: Callable[[Number, Number], Number]) -> list[Number]:
+    """The displacement of half a step, of coordinates that are numbers with their rounding.
+
+    Bristles move by it.  By h/2 v they would part from the bodies that they hold, which creep in
+    single precision: where a joint rests between two numbers, each step is rounded alike."""
+    h, = x.recorder.argument("h")
+    results = list(scaled(h / 2, v))
+    for link in x.tree.links:
+        if not (link.driver or link.joint.kind.manifold):
+            own = zip(q[link.q.start:link.q.stop], results[link.v.start:link.v.stop], strict=True)
+            results[link.v.start:link.v.stop] = [way(y, step) for y, step in own]
+    return results
+
+
+def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number],
+             way: Callable[[Number, Number], Number]) -> list[Number]:
+    """q with the effects' states moved by h/2 x'; bristles by the `way` of coordinates."""
     nq, (h,) = x.tree.nq, x.recorder.argument("h")
     if len(q) == nq:
         return list(q)
-    states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
+    states = AppliedEffects(x.scene, x.motion(at=(q, _ways(x, q, v, way)))).act().states
     with x.recorder.part("x", heading="states of effects"):
         return [*q[:nq], *(y for own in states for y in own.drifted(h / 2))]
 
@@ -134,7 +161,7 @@ def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> lis
     """q with the effects' states moved by h/2 x' and put within their bounds."""
     if len(q) == x.tree.nq:
         return list(q)
-    moved = _drifted(x, q, v)
+    moved = _drifted(x, q, v, _way_after)
     states = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().states
     return [*q[:x.tree.nq], *(y for own in states for y in own.kept)]
 

@@ -64,12 +64,13 @@ class MovingStates:
         return tuple(where(less(share.like(0), share), x, 0) for x in rates)
 
     def drifted(self, time: Number) -> Vector:
-        """The states after a time at their rates; a rotor's angle moves at its speed, and a torque
-        with a lag stays."""
+        """The states after a time in which the coordinates move by their velocities here: a rotor's
+        angle moves at its speed, and a torque with a lag stays."""
         if self.lagging:
             return self.x
-        rates = (self.x[1], self.x[1].like(0)) if self.rotor else self.law.rates
-        return add(self.x, scaled(time, rates))
+        if self.rotor:
+            return self.x[0] + time * self.x[1], self.x[1]
+        return add(self.x, self.law.rates)
 
     def followed(self, time: Number) -> Vector:
         """The states after a time in which the demand of a torque with a lag is this one."""
