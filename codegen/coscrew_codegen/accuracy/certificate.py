@@ -2,7 +2,6 @@
 checkers of our own rules, which need only fractions, read them."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
@@ -13,6 +12,7 @@ from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
 from coscrew_codegen.accuracy.tiers.compensated import Carrying
 from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.accuracy.tiers.tier import Tier
+from coscrew_codegen.accuracy.vector_lengths import Length
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -20,7 +20,6 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
-    without_dead_steps,
 )
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.elementary.sincos_error import ERROR as SINCOS_ERROR
@@ -48,16 +47,23 @@ def _lines(function: FunctionProgram, precision: Precision, its: ValueBounds, pr
     sine = SINCOS.error(precision)
     yield f"# {function.name} in {precision.name} precision: for every value a line with its"
     yield "# operation, name, operands, largest size, largest error, largest error of its rounding."
+    yield "# Before turns, lines of input_length have components of a vector, a rule, vectors that"
+    yield "# it takes, and bounds of its length and its error's, of turns before rounding."
     yield "# First: digits and least exponent of the format; error of sine and cosine in ulps."
     yield f"{precision.digits} {precision.least_exponent} {sine}"
     groups = _groups(function)
-    needed = without_dead_steps(replace(program, results=tuple(
-        program.results[k] for k in proved)))
-    for x in sorted(needed.used_inputs()):
+    needed = _needed(program, [program.results[k] for k in proved], its)
+    for x in sorted(x for x in needed if isinstance(x, Input)):
         yield " ".join(["input", _name(x, program), *groups.get(x, ()), *_figures(its.of(x))])
-    for step in needed.instructions:
-        yield " ".join([step.op.value, step.name, *(_name(x, program) for x in step.operands),
-                        *_figures(its.by_name[step.name])])
+    written = set[str]()
+    for step in program.instructions:
+        if Ref(step.name) in needed:
+            lengths = [_of_length(x, program) for x in its.proof(step)]
+            yield from dict.fromkeys(x for x in lengths if x not in written)
+            written.update(lengths)
+            yield " ".join([step.op.value, step.name, *(_name(x, program) for x in step.operands),
+                            *([f"{step.name},"] if lengths else ()),
+                            *_figures(its.by_name[step.name])])
     names = component_names(program)
     for k in proved:
         yield f"# {names[k]} is {_name(program.results[k], program)}"
@@ -153,6 +159,25 @@ def _groups(function: FunctionProgram) -> dict[Operand, tuple[str]]:
     """The quaternion of each input that belongs to one."""
     return {x: (f"quaternion{n}",) for n, each in enumerate(function.ranges.quaternions)
             for x in each} if function.ranges else {}
+
+
+def _of_length(x: Length, program: Program) -> str:
+    """The line of the length of a vector; a component alone has a comma after it."""
+    names = [",".join(_name(y, program) for y in each) for each in (x.components, *x.given)]
+    name = names[0] if len(x.components) > 1 else f"{names[0]},"
+    return " ".join(["input_length", name, x.rule, *names[1:], *(
+        float(y).hex() for y in (x.size, x.error, 0))])
+
+
+def _needed(program: Program, results: list[Operand], its: ValueBounds) -> set[Operand]:
+    """The operands on which these results and their bounds depend, and they themselves."""
+    needed = set(results)
+    for step in reversed(program.instructions):
+        if Ref(step.name) in needed:
+            needed.update(step.operands)
+            for x in its.proof(step):
+                needed.update(x.components)
+    return needed
 
 
 def _name(x: Operand, program: Program) -> str:

@@ -44,7 +44,7 @@ class PairRounding(FloatRounding):
 
     def __init__(self, precision: Precision, mixture: Mixture | None = None) -> None:
         super().__init__(precision)
-        self._mixture = mixture
+        self._mixture, self.turns = mixture, False
         self._relative = above(SINCOS_ERROR.error(precision))
 
     def constant(self, x: Constant) -> RoundedRange:
