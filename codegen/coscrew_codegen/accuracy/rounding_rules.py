@@ -24,6 +24,7 @@ from coscrew_codegen.program import (
     Ref,
 )
 from coscrew_codegen.program.roundoff import FOLLOWED, UNKNOWN, RoundedRange, Upward, combined
+from coscrew_codegen.program.tables import TableColumn
 
 SQUARE = (Fraction(999, 1000), Fraction(1001, 1000))
 """The limits of |quaternion|² in stated ranges."""
@@ -104,7 +105,7 @@ class ValueBounds:
             return RoundedRange(size, computed=size)
         if isinstance(x, Constant):
             return self._rule.constant(x)
-        assert isinstance(x, NotANumber)
+        assert isinstance(x, NotANumber | TableColumn)
         return UNKNOWN
 
     def _applied(self, step: Instruction) -> RoundedRange:
