@@ -18,8 +18,8 @@ QUATERNION = "quat_xyzw"
 IGNORED = frozenset({"transmission"})
 """Elements without influence on the dynamics, which are not read."""
 SEEN = frozenset({"visual", "material", "collision", "gazebo"})
-"""Shapes of links and their colours, and Gazebo's own elements, of which no effect is made; they
-are checked where they are read."""
+"""Shapes of links and their colours, and Gazebo's own elements; they are checked where they are
+read."""
 
 CHILDREN: Mapping[str, tuple[str, ...]] = {
     "robot": ("link", "joint"), "link": ("inertial",), "inertial": ("origin", "mass", "inertia"),
