@@ -1,5 +1,6 @@
-"""Notices of `<gazebo>` in a URDF: numbers with which the robot moves otherwise in Gazebo.  All else
-in it is free: sensors, plugins, colours, numbers of its solver and of touching."""
+"""Notices of `<gazebo>` in a URDF: numbers with which the robot moves otherwise in Gazebo.
+
+All else in it is free: sensors, plugins, colours, numbers of its solver and of touching."""
 
 from collections.abc import Iterator
 
