@@ -324,11 +324,12 @@ def test_all_files_are_of_one_measurement(tmp_path, capsys):
 
 
 def test_the_readme_figure_shows_every_format_and_rival():
-    """On this machine and each core; its command is the one below it."""
-    text = (ROOT / "README.md").read_text("utf-8")
-    module, file = re.search(r"`python -m (\S+)\s[^`]+--plot (\S+)`", text).groups()
-    assert module == published_bounds.__name__ and f"({file})" in text
-    assert module in (ROOT / "Makefile").read_text("utf-8")
+    """On this machine and each core; `make figure`, named below it, draws it."""
+    readme, makefile = ((ROOT / x).read_text("utf-8") for x in ("README.md", "Makefile"))
+    module, file = re.search(r"^figure:.*\n\t\$\(PYTHON\) -m (\S+) [^\t]*\\\n\s+--plot (\S+)$",
+                             makefile, re.M).groups()
+    assert module == published_bounds.__name__
+    assert re.search(rf"\({re.escape(file)}\)\n\n[^\n](?:.+\n)+.*`make figure` draws it", readme)
     drawn = (ROOT / file).read_text("utf-8")
     formats = ("double", "single", "double accurate", "single accurate", "double certified",
                "single certified", "single mixed", "single pairs", "fixed", "fixed (high)")

@@ -163,7 +163,7 @@ def test_a_quantity_has_these_columns(name, columns, tmp_path):
 
 
 @pytest.mark.parametrize("name", ("viscous.left_hip.energy", "viscous.right.power",
-                                  "actuator.left_hip.saturated", "gravity.torque"))
+                                  "actuator.left_hip.saturated", "gravity.torque", "bristles"))
 def test_what_an_effect_does_not_have_is_no_quantity(name, tmp_path):
     with pytest.raises(QuantityError):
         recorded(name, read_scene(written(tmp_path)))

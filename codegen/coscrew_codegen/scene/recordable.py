@@ -26,7 +26,8 @@ _POSITIONS = tuple(name for name, (function, x) in QUANTITIES.items()
 def recordable(scene: Scene) -> tuple[str, ...]:
     """The names of all quantities, each whole: q.elbow, energy, position.hand."""
     own = [joint.name for joint, _, _ in coordinates(scene)]
-    return (*(name for name, (_, x) in QUANTITIES.items() if x.of is Of.SCENE),
+    return (*(name for name, (function, x) in QUANTITIES.items()
+              if x.of is Of.SCENE and function.recorded_in(scene)),
             *(f"{quantity}.{joint}" for quantity in UNITS for joint in own),
             *(f"{STATES}.{x.name}" for x in states_of(scene)),
             *(f"{name}.{target}" for name, (function, x) in QUANTITIES.items()

@@ -160,6 +160,8 @@ def targets(function: SceneFunction, kind: SceneQuantity, scene: Scene) -> tuple
 def _of_function(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     """Components of a function's results."""
     function, kind = OF_FUNCTIONS[quantity]
+    if not function.recorded_in(scene):
+        raise QuantityError(f"{text!r}: no effect of the scene has {quantity}")
     all_components = function.components_of(kind)
     count, names = len(all_components), targets(function, kind, scene)
     target, index = _target(text, rest, kind.of.value, names) if kind.of.value else ("", rest)

@@ -28,7 +28,7 @@ def fixed_times(made: FixedScene, files: Mapping[str, str], compiler: Compiler
         {"name": loops[f.plain.name, x], **over_states(
             replace(made.plain, mark=f"{made.tier.mark}{MARK[x]}"), f.plain, INTEGERS)}
         for x in Products for f in made.functions])
-    mine = {name: content for name, content in files.items() if "fixed" in name}
+    mine = {name: content for name, content in files.items() if INTEGERS.name in name}
     sources = {**mine, "loops.c": text, "driver.c": driver()}
     names = [x for x in sources if x.endswith(".c") and not x.endswith("_double.c")]
     opened = library({x: (x,) for x in names}, sources, compiler).opened

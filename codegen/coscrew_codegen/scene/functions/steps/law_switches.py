@@ -1,5 +1,6 @@
 """Switches of effects with states."""
 
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import (
     Array,
     AxisLength,
@@ -9,9 +10,14 @@ from coscrew_codegen.scene.scene_function import (
 )
 
 
+def switches(scene: Scene) -> bool:
+    """Returns whether an effect of the scene has switches."""
+    return any(x.effect.switches for x in scene.effects)
+
+
 def lacks(its: Situation) -> str:
     """Says why a scene has no switches."""
-    return "" if any(x.effect.switches for x in its.scene.effects) else "no effect has switches"
+    return "" if switches(its.scene) else "no effect has switches"
 
 
 FUNCTION = SceneFunction(

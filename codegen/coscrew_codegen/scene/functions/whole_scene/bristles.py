@@ -1,6 +1,6 @@
 """Energy that bristles store, and power that their effects take from the motion."""
 
-from coscrew_codegen.scene.functions.steps.law_switches import lacks
+from coscrew_codegen.scene.functions.steps.law_switches import lacks, switches
 from coscrew_codegen.scene.scene_function import Array, Depends, SceneFunction, SceneQuantity
 
 FUNCTION = SceneFunction(
@@ -10,4 +10,4 @@ FUNCTION = SceneFunction(
     (Array("stored", (), ("J",), "energy in J"), Array("P", (), ("W",), "power in W")),
     lambda x: x.bristles(), Depends.EFFECTS,
     recorded=(SceneQuantity("bristles", components=("energy", "power"), expected="energy"),),
-    lacks=lacks)
+    recorded_in=switches, lacks=lacks)
