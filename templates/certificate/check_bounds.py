@@ -6,24 +6,24 @@ def below(x):  # the largest power of two below x
 
 def check(lines):  # of a value: size, error, size as computed, least size, turn, quadratic form
     (digits, least, sine, *pairs), *steps = (x.split() for x in lines if x[0] not in "# ")
-    u, eta, sine, values = F(1, 2**int(digits)), F(2)**(int(least) - int(digits)), F(sine), {}
+    u, eta, sine, known = F(1, 2**int(digits)), F(2)**(int(least) - int(digits)), F(sine), {}
     rounding = lambda x: max(u * below(x), eta) if x else F(0)
     near = lambda x, of=round: of(x / (unit := 2 * rounding(abs(x)) or 1)) * unit
-    for op, name, *x, s, e, r in steps:  # of pairs, check_pairs.py finds r from the indented lines
+    for op, name, *x, s, e, r in steps:  # check_pairs.py finds r of pairs, check_lengths.py lengths
         s, e, r = (F(float.fromhex(y)) for y in (s, e, r))
-        for y in (z for z in x if z not in values and op != "input"):  # constants, rounded
-            c, rest = abs(F(y)), abs(F(y)) - near(abs(F(y)))
-            values[y] = c, abs(rest - near(rest) * len(pairs)), c - rest, c, (), ()
-        given = [(s, F(0), s, F(0), (), (*x, name))] if op == "input" else [values[y] for y in x]
+        for y, c in ((z, abs(F(z))) for z in x if z not in known and op[:5] != "input"):
+            known[y] = c, abs((d := c - near(c)) - near(d) * len(pairs)), c - d, c, (), ()
+        given = [(s, F(0), s, F(0), (), (*x, name))] if op[:5] == "input" else [known[y] for y in x]
         a, b = given[0], given[:2][-1]
         size, moved, top = {  # bounds of size, of error before rounding, of the size as computed
             "add": [y + z for y, z in zip(a[:3], b)], "input": a[:3], "neg": a[:3], "copy": a[:3],
             "mul": (a[0] * b[0], a[0] * b[1] + a[1] * b[0] + a[1] * b[1], a[2] * b[2]),
             "div": (a[0] / b[3] if b[3] - b[1] >= (sum(y[0] for y in given[2:]) or eta) else s + 1,
                     (a[1] + s * b[1]) / (b[3] - b[1] or 1), 1 / eta),
-            "sin": (min(a[0], 1), a[1], 1), "cos": (1, a[1], 1)}[op.replace("sub", "add")]
+            "sin": (min(a[0], 1), a[1], 1), "cos": (1, a[1], 1)}[op.replace("sub", "add")[:5]]
+        size, moved = map(min, (size, moved), (given[2:] * (op != "div") or [(size, moved)])[0])
         before, (p, f), (q, g), gap = min(s + e - r, F(top)), a[4:], b[4:], F(-1)
-        own, form = rounding(before) * (op not in ("input", "neg")), f * (op in ("input", "copy"))
+        own, form = rounding(before) * (op[:3] not in ("inp", "neg")), f * (op in ("input", "copy"))
         turn = (*p[:4], *(y + r for y in p[4:])) * (op in ("neg", "copy"))
         if op in ("sin", "cos"):
             before, turn, own = F(1), (op, x[0]), sine * max(u * min(1, 2 * (s + a[1])), 2 * eta)
@@ -40,6 +40,6 @@ def check(lines):  # of a value: size, error, size as computed, least size, turn
         assert r >= own * (not pairs) and near(before, F.__ceil__) * eta < 2 * u * (1 - u), name
         assert e - r >= moved or gap >= 0 and gap**2 >= p[3]**2 + q[3]**2, f"error of {name}"
         assert s >= min([size] + [F(1001, 2000) * (1 + x) for x in form[2:3]]), f"size of {name}"
-        values[name] = s, e, near(before, F.__ceil__), least_size, turn, form
+        known[name] = s, e, near(before, F.__ceil__), least_size, turn, form
 
 print(check(open(0)) or "proved")

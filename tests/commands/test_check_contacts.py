@@ -72,15 +72,15 @@ def test_a_ball_that_slides_slips_and_dissipates_what_friction_takes(tmp_path: P
         assert x.bristles.stored == pytest.approx(stored, rel=1e-3)
         assert x.bristles.dissipated == pytest.approx(
             grip * (9 * t - 7 / 4 * MU * G * t**2) - stored, rel=1e-3)
-    assert 1e-8 < findings.touching_apart[0] < 1e-5
+    assert 1e-8 < findings.contact_distances[0] < 1e-5
     words = table(findings)
     assert re.search(r"^contact\.ball +1\.00 ", words, re.MULTILINE)
     assert "apart, m" in words
     assert re.search("least normal force of contacts, over the largest force +1", words)
 
 
-def test_bounces_that_no_step_resolves_are_told(tmp_path: Path, capsys: pytest.CaptureFixture
-                                                ) -> None:
+def test_bounces_that_no_step_resolves_are_reported(tmp_path: Path,
+                                                   capsys: pytest.CaptureFixture) -> None:
     path = written(tmp_path, BALL.replace("mu = 0.5", "mu = 0.5\nk = 1e12") + """
 [start.q]
 free = [0, 0, 0.1, 0, 0, 0, 1]
@@ -93,7 +93,7 @@ every = 0.001
     assert "a contact bounces too fast at t = 0 s" in capsys.readouterr().err
 
 
-def test_a_contact_that_never_closes_is_told(tmp_path: Path) -> None:
+def test_a_contact_that_never_closes_is_reported(tmp_path: Path) -> None:
     findings = check(checked(written(tmp_path, BALL + DROPPED.replace("0.3", "9"))),
                      RunOverrides(until=0.1))
     assert findings.passed and "no contact closes" in table(findings)

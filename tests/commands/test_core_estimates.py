@@ -47,7 +47,7 @@ def test_few_instructions_are_not_estimated():
     some = Operations("double", {"call": 1, "product": 1})
     assert some.on("Cortex-M0+") is not None
     assert Operations("fixed, high", {"call": 1, "high product": 2}).on("Cortex-M4F") is None
-    assert LEAST == 200
+    assert Operations("fixed, high", {"call": 1, "sine and cosine": 4}).on("Cortex-M4F") >= LEAST
 
 
 @pytest.mark.parametrize("precision", (DOUBLE, SINGLE), ids=lambda x: x.name)

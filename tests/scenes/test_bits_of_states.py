@@ -1,5 +1,6 @@
-"""Functions and steps that move states of effects have the same bits in C, in NumPy, in lanes and
-in CUDA; scenes without states have no trace of them."""
+"""Functions and steps that move states of effects, or solve rows of forces between bodies and on
+sums of coordinates, have the same bits in C, in NumPy, in lanes and in CUDA; scenes without states
+have no trace of them."""
 
 from pathlib import Path
 
@@ -20,8 +21,8 @@ from tests.support.scenes.cuda_runs import compared
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import inputs, same_bits
 
-NAMES = ("state_rates", "law_switches", "integrated", "step_rk4", "step_semi_implicit_euler",
-         "step_linear_implicit_euler", "step_leapfrog", "energy", "power", "bristles")
+STEPS = ("step_rk4", "step_semi_implicit_euler", "step_linear_implicit_euler", "step_leapfrog")
+NAMES = ("state_rates", "law_switches", "integrated", *STEPS, "energy", "power", "bristles")
 WITHOUT = """
 [bodies]
 ball = { mass = 1, com = [0, 0, 0.01], inertia = [0.004, 0.004, 0.004] }
@@ -52,13 +53,54 @@ limit = 5
 speed = 20
 lag = 2e-3
 """
+ROWS = """
+[bodies]
+ball = { mass = 1, com = [0, 0, 0.01], inertia = [0.004, 0.004, 0.004] }
+arm = { mass = 0.2, inertia = [0.001, 0.001, 0.001] }
+hand = { mass = 0.1, com = [0, 0, 0.1], inertia = [0.001, 0.001, 0.001] }
+bead = { mass = 0.001, inertia = [4e-6, 4e-6, 4e-6] }
+[joints]
+free = { type = "free", child = "ball" }
+hinge = { type = "revolute", parent = "ball", child = "arm", axis = [0, 1, 0] }
+slide = { type = "prismatic", parent = "arm", child = "hand", axis = [0, 0, 1] }
+loose = { type = "free", child = "bead" }
+[effects.gravity]
+[effects.spring_damper.one]
+bodies = ["ball", "bead"]
+k = 1e6
+d = 10
+length = 0.2
+[effects.spring_damper.two]
+bodies = ["hand", "world"]
+k = 300
+d = 1e4
+[effects.contact_pair.bead]
+bodies = ["bead", "hand"]
+first_radius = 0.5
+second_radius = 0.6
+second_end = [0, 0, 0.3]
+mu = 0.5
+load = 1
+[effects.spring.tendon]
+joints = { hinge = 1, slide = -0.5 }
+k = 1e5
+[effects.viscous.tendon]
+joints = { hinge = 1, slide = -0.5 }
+d = 100
+"""
+SCENES = {"states": (WITHOUT + WITH, NAMES),
+          "rows": (ROWS, (*STEPS, "forward_dynamics", "energy", "power", "bristles"))}
 
 
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> SceneFunctions:
-    path = tmp_path_factory.mktemp("states") / "ball.toml"
-    path.write_text(WITHOUT + WITH, encoding="utf-8")
-    return derive(read_scene(path), NAMES)
+@pytest.fixture(scope="module", params=SCENES)
+def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+         ) -> SceneFunctions:
+    text, names = SCENES[request.param]
+    path = tmp_path_factory.mktemp(request.param) / "ball.toml"
+    path.write_text(text, encoding="utf-8")
+    made = derive(read_scene(path), names)
+    assert {*names} <= {x.name for x in scene_calls.callables(made)}
+    return made
 
 
 @each_precision
@@ -67,9 +109,7 @@ def test_bits_of_numpy_are_those_of_c(made: SceneFunctions, precision, tmp_path:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     kernels, package = kernels_of(made), imported(made, tmp_path)
     assert kernels.compiled
-    functions = scene_calls.callables(made)
-    assert {*NAMES} <= {x.name for x in functions}
-    for function in functions:
+    for function in scene_calls.callables(made):
         for special in (False, True):
             arguments = inputs(function, precision.numpy_type, 5, special=special)
             result, twin = (getattr(getattr(x, precision.name), function.name)(*arguments)

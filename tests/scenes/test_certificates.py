@@ -1,14 +1,12 @@
-"""Certificates of bounds over stated ranges: a checker that knows nothing of the generator accepts
-them, and refuses each whose error, size or rounding is smaller by 1e-9 of itself at any line."""
+"""Certificates of bounds over stated ranges: checkers that know nothing of the generator accept
+them, and refuse each whose error, size or rounding is smaller by 1e-9 of itself at any line."""
 
 import ast
 import json
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -18,9 +16,9 @@ from coscrew_codegen.accuracy.range_proofs import of_plain
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from tests.support.scenes.certificate_checks import CHECKERS, checked, refuses
 from tests.support.scenes.ranged import PANDA, floating, panda
 
-CHECKER = Path(__file__).parents[2] / "templates/certificate/check_bounds.py"
 BOX = "\n[ranges]\nv = 0.5\na = 1\n"
 SCENES = {"panda": panda, "floating": floating}
 CASES = [(scene, name, p) for scene, name in (
@@ -29,14 +27,6 @@ CASES = [(scene, name, p) for scene, name in (
 NAMES = [f"{scene}, {name}, {p.name}" for scene, name, p in CASES]
 EVERY = {"body_poses": 1, "inverse_dynamics": 23}  # all lines; some of longer certificates
 SIZE, ERROR, ROUNDING = -3, -2, -1
-
-
-@cache
-def checked() -> Callable[[Sequence[str]], None]:
-    """The checker's function, without its last line, which reads standard input."""
-    names: dict[str, Callable] = {}
-    exec(CHECKER.read_text(encoding="utf-8").rpartition("\nprint(")[0], names)
-    return names["check"]
 
 
 @cache
@@ -49,27 +39,21 @@ def lines(scene: str, name: str, precision: Precision) -> list[str]:
     return certificate(function(scene, name), precision).splitlines()
 
 
-def refuses(its: Sequence[str]) -> bool:
-    try:
-        checked()(its)
-    except (AssertionError, ValueError, KeyError):
-        return True
-    return False
-
-
-def test_the_checker_is_short_and_imports_fractions_alone():
-    tree = ast.parse(CHECKER.read_text(encoding="utf-8"))
+@pytest.mark.parametrize("checker, most", [*zip(CHECKERS, (40, 64), strict=True)],
+                         ids=("bounds", "lengths"))
+def test_checkers_are_short_and_import_fractions_alone(checker, most):
+    tree = ast.parse(checker.read_text(encoding="utf-8"))
     imports = [x for x in ast.walk(tree) if isinstance(x, ast.Import | ast.ImportFrom)]
     assert [ast.unparse(x) for x in imports] == ["from fractions import Fraction as F"]
-    text = CHECKER.read_text(encoding="utf-8").splitlines()
+    text = checker.read_text(encoding="utf-8").splitlines()
     code = [x for x in text if x.strip() and not x.startswith(('"""', "from "))]
-    assert len(code) <= 40 and max(map(len, text)) <= 100
+    assert len(code) <= most and max(map(len, text)) <= 100
 
 
 @pytest.mark.parametrize("scene, name, precision", CASES, ids=NAMES)
 def test_certificates_end_with_the_stated_bounds(scene, name, precision):
     its = lines(scene, name, precision)
-    checked()(its)
+    checked(its)
     figures = {x.split()[1]: [float.fromhex(y) for y in x.split()[-3:]] for x in its
                if not x.startswith("#") and len(x.split()) > 3}
     bounds, program = of_plain(function(scene, name), precision), function(scene, name).program
@@ -121,12 +105,13 @@ def test_the_command_writes_certificates_their_checker_and_bounds(tmp_path, caps
     assert main(["certificate", str(scene), "-o", str(folder), *words]) == 0
     assert capsys.readouterr().out.splitlines() == [
         "forward_dynamics: no bound: [ranges] states no range of tau",
-        "mass_matrix: 2 certificates of 500 lines"]
+        "mass_matrix: 2 certificates of 566 lines"]
     for p in PRECISIONS:
-        run = subprocess.run([sys.executable, "-I", folder / "check_bounds.py"], check=True,
-                             stdin=(folder / f"mass_matrix_{p.name}.txt").open(),
-                             capture_output=True, text=True)
-        assert run.stdout == "proved\n"
+        for path in CHECKERS:
+            run = subprocess.run([sys.executable, "-I", folder / path.name], check=True,
+                                 stdin=(folder / f"mass_matrix_{p.name}.txt").open(),
+                                 capture_output=True, text=True)
+            assert run.stdout == "proved\n"
     bounds = json.loads((folder / "bounds.json").read_text(encoding="utf-8"))
     plain = of_plain(function("panda", "mass_matrix"), PRECISIONS[0])
     assert bounds["mass_matrix"]["double"]["M"]["error"] == [x.error for x in plain]

@@ -91,7 +91,7 @@ def test_vectors_of_states_are_written_straight(functions):
 
 
 def _columns(count: int = COUNT, last: Op = Op.SUB, linked: bool = False) -> Program:
-    """x[k] = b[k] - 2 b[k] - …, in as many steps as a column must have; the last one ends with
+    """x[k] = b[k] - c[0] - c[1] - …, in as many steps as a column must have; the last one ends with
     another operation, or begins with the result of the one before."""
     steps, results, before = [], [], Input(0, 0)
     for k in range(count):

@@ -94,7 +94,7 @@ def test_numbers_are_rounded_once(precision: Precision) -> None:
 
 
 def exactly(own: Interpolant, t: Fraction) -> Fraction:
-    """The piecewise cubic in rationals, with pieces results by a plain search."""
+    """The piecewise cubic in rationals, as the generator's formula says."""
     def number(x: Fraction) -> Fraction:
         return x
 
@@ -102,13 +102,29 @@ def exactly(own: Interpolant, t: Fraction) -> Fraction:
         a if test else b), "gather": lambda column, at: column.at(at)})
 
 
+def monotone_slopes(own: Interpolant) -> list[Fraction]:
+    """The slopes at the points (Fritsch and Butland, 1984; at the ends as in SciPy's PCHIP)."""
+    h = [b - a for a, b in pairwise(own.times)]
+    m = [(b - a) / x for (a, b), x in zip(pairwise(own.values), h, strict=True)]
+    if len(h) == 1:
+        return m * 2
+    ends = []
+    for (h0, h1), (m0, m1) in ((h[:2], m[:2]), (h[:-3:-1], m[:-3:-1])):
+        d = ((2 * h0 + h1) * m0 - h0 * m1) / (h0 + h1)
+        ends.append(Fraction(0) if d * m0 <= 0 else
+                    3 * m0 if m0 * m1 < 0 and abs(d) > 3 * abs(m0) else d)
+    inner = [3 * (h0 + h1) / ((2 * h1 + h0) / m0 + (h1 + 2 * h0) / m1) if m0 * m1 > 0 else
+             Fraction(0) for (h0, h1), (m0, m1) in zip(pairwise(h), pairwise(m), strict=True)]
+    return [ends[0], *inner, ends[1]]
+
+
 def by_search(own: Interpolant, t: Fraction) -> Fraction:
-    """The value by Hermite's form of the piece that holds t, from the slopes at its ends."""
+    """The value by Hermite's form of the piece that holds t, which a plain search finds."""
     if not own.times[0] <= t < own.times[-1]:
         return own.values[0 if t < own.times[0] else -1]
     i = max(k for k, x in enumerate(own.times) if x <= t)
     a, b = own.times[i:i + 2]
-    slopes = [exactly(own.rate, x) for x in (a, b - (b - a) / 10**30)]
+    slopes = monotone_slopes(own)[i:i + 2]
     u, h = (t - a) / (b - a), b - a
     return ((1 + 2 * u) * (1 - u)**2 * own.values[i] + u * (1 - u)**2 * h * slopes[0]
             + u * u * (3 - 2 * u) * own.values[i + 1] + u * u * (u - 1) * h * slopes[1])

@@ -15,7 +15,7 @@ from coscrew_codegen.accuracy.float_rounding import FloatRounding
 from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Op, Program, Ref
 from coscrew_codegen.program.interpreter import by_operation, exactly, interpreter
 from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE
 from coscrew_codegen.runtime.load import Kernels, kernels_for
@@ -23,8 +23,8 @@ from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm
-from tests.support.scenes.generated_scenes import argument
 from tests.support.scenes.kinds import Kind
+from tests.support.scenes.small_programs import ANGLE, X, Y, program
 from tests.support.scenes.worst_rounding import stated, worst_exactly, worst_found
 from tests.support.truth.condition import ARRAYS
 
@@ -34,14 +34,6 @@ SMALL = ("body_poses", "gravity_torques", "mass_matrix", "energy", "bias_torques
 TENTH = Constant(Fraction("0.1"), Fraction("0.1"))
 
 
-def program(*steps: tuple[Op, Operand, Operand | None]) -> Program:
-    """Instructions a, b, c, …, the last the result; x has three components."""
-    made = tuple(Instruction("abcdefgh"[n], op, tuple(x for x in operands if x is not None), "y")
-                 for n, (op, *operands) in enumerate(steps))
-    return Program("small", (argument("x", 3),), (argument("y"),), made, (Ref(made[-1].name),))
-
-
-X, Y, ANGLE = (Input(0, n) for n in range(3))
 RULES: dict[str, tuple[Program, float]] = {  # and the part of the bound that is reached
     "sum": (program((Op.ADD, X, Y)), 0.98),
     "product": (program((Op.MUL, X, Y)), 0.98),

@@ -5,14 +5,22 @@ from collections.abc import Iterator
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.pair_certificate import CertifiedPairs, NotedCarrier, places
+from coscrew_codegen.accuracy.pair_certificate import CertifiedPairs, NotedCarrier, component_names
 from coscrew_codegen.accuracy.range_proofs import of_mixture, values
 from coscrew_codegen.accuracy.rounding_rules import ValueBounds, above
 from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
 from coscrew_codegen.accuracy.tiers.compensated import Carrying
 from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.accuracy.tiers.tier import Tier
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
+from coscrew_codegen.accuracy.vector_lengths import Length
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Op,
+    Operand,
+    Program,
+    Ref,
+)
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.elementary.sincos_error import ERROR as SINCOS_ERROR
 from coscrew_codegen.program.fixed import fixed_sine
@@ -39,24 +47,31 @@ def _lines(function: FunctionProgram, precision: Precision, its: ValueBounds, pr
     sine = SINCOS.error(precision)
     yield f"# {function.name} in {precision.name} precision: for every value a line with its"
     yield "# operation, name, operands, largest size, largest error, largest error of its rounding."
+    yield "# Before turns, lines of input_length have components of a vector, a rule, vectors that"
+    yield "# it takes, and bounds of its length and its error's, of turns before rounding."
     yield "# First: digits and least exponent of the format; error of sine and cosine in ulps."
     yield f"{precision.digits} {precision.least_exponent} {sine}"
     groups = _groups(function)
-    needed = _needed(program, [program.results[k] for k in proved])
+    needed = _needed(program, [program.results[k] for k in proved], its)
     for x in sorted(x for x in needed if isinstance(x, Input)):
         yield " ".join(["input", _name(x, program), *groups.get(x, ()), *_figures(its.of(x))])
+    written = set[str]()
     for step in program.instructions:
         if Ref(step.name) in needed:
+            lengths = [_of_length(x, program) for x in its.proof(step)]
+            yield from dict.fromkeys(x for x in lengths if x not in written)
+            written.update(lengths)
             yield " ".join([step.op.value, step.name, *(_name(x, program) for x in step.operands),
+                            *([f"{step.name},"] if lengths else ()),
                             *_figures(its.by_name[step.name])])
-    names = places(program)
+    names = component_names(program)
     for k in proved:
         yield f"# {names[k]} is {_name(program.results[k], program)}"
 
 
 def of_tier(function: FunctionProgram, tier: Tier, precision: Precision) -> str:
-    """The certificate of the function in a tier of pairs, for the results that have a bound; "" if
-    none has, or if the tier's values are no pairs."""
+    """The certificate of the function in a tier whose values are pairs, for the results that have a
+    bound; "" if none has one, or for other tiers."""
     if tier.on_request:
         if not (function.accuracy and function.accuracy.stated):
             return ""
@@ -69,7 +84,8 @@ def of_tier(function: FunctionProgram, tier: Tier, precision: Precision) -> str:
 
 def of_pairs(function: FunctionProgram, precision: Precision, mixture: Mixture | None = None
              ) -> str:
-    """The certificate of the function with all instructions, or those of a mixture, in pairs."""
+    """The certificate of the function with all instructions, or those that a mixture names, in
+    pairs; "" if no result has a bound."""
     plain, noted = function.program.fine or function.program, list[NotedCarrier]()
     bounds = of_mixture(plain, function.ranges, precision, mixture)
     proved = [k for k, x in enumerate(bounds) if isfinite(x.size + x.error)]
@@ -130,7 +146,7 @@ def _fixed_lines(function: FunctionProgram, fixed: FixedProgram) -> Iterator[str
         if name in needed:
             yield " ".join([_WORDS.get(line.op, line.op.value), name, *map(word, line.operands),
                             str(line.value.bits), *_figures(line.value.bounds)])
-    for place, result in zip(places(program), fixed.results, strict=True):
+    for place, result in zip(component_names(program), fixed.results, strict=True):
         yield f"# {place} is {word(result)}"
 
 
@@ -145,12 +161,22 @@ def _groups(function: FunctionProgram) -> dict[Operand, tuple[str]]:
             for x in each} if function.ranges else {}
 
 
-def _needed(program: Program, results: list[Operand]) -> set[Operand]:
-    """The operands on which these results depend, and they themselves."""
+def _of_length(x: Length, program: Program) -> str:
+    """The line of the length of a vector; a component alone has a comma after it."""
+    names = [",".join(_name(y, program) for y in each) for each in (x.components, *x.given)]
+    name = names[0] if len(x.components) > 1 else f"{names[0]},"
+    return " ".join(["input_length", name, x.rule, *names[1:], *(
+        float(y).hex() for y in (x.size, x.error, 0))])
+
+
+def _needed(program: Program, results: list[Operand], its: ValueBounds) -> set[Operand]:
+    """The operands on which these results and their bounds depend, and they themselves."""
     needed = set(results)
     for step in reversed(program.instructions):
         if Ref(step.name) in needed:
             needed.update(step.operands)
+            for x in its.proof(step):
+                needed.update(x.components)
     return needed
 
 

@@ -20,7 +20,7 @@ class FloatRounding:
     statements without stated ranges do."""
 
     def __init__(self, precision: Precision, plain: bool = False) -> None:
-        self.precision, self._plain = precision, plain
+        self.precision, self._plain, self.turns = precision, plain, not plain
         self.u, self.eta = Upward(precision.u), above(precision.eta)
         self._most = float(precision.limit("max"))
         self._normal = float(precision.smallest_normal)

@@ -5,6 +5,7 @@ The bounds of values are those of `rounding_rules.py`; their own errors are thos
 they are computed, by `pair_instructions.py`, where `pair_rounding.py` has a rule for all pairs."""
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.accuracy.pair_instructions import (
@@ -12,7 +13,7 @@ from coscrew_codegen.accuracy.pair_instructions import (
     SUMS,
     PairInstructions,
     Polynomial,
-    of,
+    monomial,
     plus,
 )
 from coscrew_codegen.accuracy.pair_rounding import PairRounding
@@ -24,7 +25,16 @@ from coscrew_codegen.accuracy.tiers.compensated import (
     rounded_constant,
 )
 from coscrew_codegen.accuracy.tiers.mixed import Mixture
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    without_dead_steps,
+)
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.program.roundoff import CIRCULAR, NONE, RoundedRange, Upward, down
 from coscrew_codegen.program.values.formats import Precision
@@ -35,21 +45,21 @@ _NEARLY = 1 + Fraction(1, 2**40)
 
 
 Noted = tuple[int, tuple[str, ...]]
-"""Numbers that stand for a value, and the number of instructions until they are known."""
+"""The number of instructions after which a value is known, and the numbers that stand for it."""
 
 
 class NotedCarrier(Carrier):
-    """Carries values, and notes which numbers stand for them, and after which instruction."""
+    """A Carrier that notes which numbers stand for each value, and after which instruction."""
 
     def __init__(self, program: Program, precision: Precision, how: Carrying) -> None:
         super().__init__(program, precision, how)
         self.plain = program
-        self.ends: dict[str, int] = {}
-        self.sums: dict[str, tuple[str, ...]] = {}
+        self.ends: dict[str, int] = {}  # instructions that are issued once a value is carried
+        self.sums: dict[str, tuple[str, ...]] = {}  # numbers that stand for a value
         self.normal: dict[str, Noted] = {}  # of normalized values
         self.single: dict[str, Noted] = {}  # of values that are rounded, by hi
 
-    def carried(self, step: Instruction) -> None:
+    def note(self, step: Instruction) -> None:
         """Notes the sum that stands for the value; a product's lo may still lack what is lost."""
         lost = (f"'{step.name}",) if step.name in self.products else ()
         self.sums[step.name] = *self._sum(Ref(step.name)), *lost
@@ -86,7 +96,8 @@ class CertifiedPairs(PairRounding):
         self._carrier, self._emitted, self._proved = carrier, emitted, proved
         self._steps = {step.name: step for step in emitted.instructions}
         self._finals = [self._final(x) for x in emitted.results]
-        self._alive = _needed(emitted, [self._finals[k] for k in proved])
+        self._alive = {step.name for step in without_dead_steps(replace(
+            emitted, results=tuple(self._finals[k] for k in proved))).instructions}
         self._at = self._count = 0  # of instructions that are written, of results
         self._words: dict[tuple[str, int], str] = {}  # values that instructions take
         self._normalized: dict[str, str] = {}  # values that are normalized, by their former names
@@ -101,8 +112,8 @@ class CertifiedPairs(PairRounding):
                 for x in step.operands} | {self._finals[k] for k in self._proved}
         for x in sorted(x for x in used if isinstance(x, Input)):
             size, name = Upward(sizes[x.argument][x.index]), self._word(x)
-            self._numbers.given(name, Fraction(size))
-            self._sums[name] = of(name)
+            self._numbers.add_number(name, Fraction(size))
+            self._sums[name] = monomial(name)
             self._line("input", name, groups.get(x, ()), RoundedRange(size))
 
     def operand(self, step: Instruction, place: int, x: RoundedRange) -> RoundedRange:
@@ -141,7 +152,7 @@ class CertifiedPairs(PairRounding):
         inside = (Fraction(before.size) + Fraction(before.error)) * _NEARLY
 
         def close(f: Polynomial) -> Fraction:
-            return inside + self._numbers.most(plus(f, self._numbers.times(truth), -1))
+            return inside + self._numbers.bound(plus(f, self._numbers.times(truth), -1))
 
         place = len(self.lines)
         self._write(end, close if step.op is not Op.DIV else None, left - self._more(divisor))
@@ -159,7 +170,7 @@ class CertifiedPairs(PairRounding):
         value, final = self._carrier.plain.results[k], self._finals[k]
         self._sum(value)
         word = self._results.get(value, self._word(value, number=True))
-        name = self._results[value] = places(self._emitted)[k]
+        name = self._results[value] = component_names(self._emitted)[k]
         return self._copy(name, word, self._copies.get(word, x),
                           (self._word(final, number=True),))
 
@@ -194,7 +205,7 @@ class CertifiedPairs(PairRounding):
             if name in self._alive:
                 op, words = self._steps[name].op, [self._word(x, number=True)
                                                    for x in self._steps[name].operands]
-                figures = self._numbers.issue(op, name, words, least, close)
+                figures = self._numbers.add_instruction(op, name, words, least, close)
                 word = _WORDS.get(op, SUMS.get(op, op).value)
                 self.lines.append(" ".join(["", word, name, *words, *(x.hex() for x in figures)]))
         self._at = max(end, self._at)
@@ -206,19 +217,19 @@ class CertifiedPairs(PairRounding):
             return plus(sums[0], sums[1], 1 if op is Op.ADD else -1)
         if op is Op.MUL:
             return self._numbers.times(*sums)
-        return turned(op, [x for x, in sums[0]]) if op in CIRCULAR else sums[0]
+        return of_angle_sum(op, [x for x, in sums[0]]) if op in CIRCULAR else sums[0]
 
     def _error(self, numbers: Sequence[str], truth: Polynomial, divisor: Polynomial = ONE
                ) -> Fraction:
         """Bounds the difference of the numbers' sum, times the divisor, and the truth."""
         its, f = self._numbers, Polynomial()
         for x in numbers:
-            f = plus(f, its.forms.get(x, of(x)))
-        return its.most(plus(its.times(f, divisor), its.times(truth), -1))
+            f = plus(f, its.forms.get(x, monomial(x)))
+        return its.bound(plus(its.times(f, divisor), its.times(truth), -1))
 
     def _stand(self, name: str, numbers: Sequence[str], x: RoundedRange) -> None:
         self.lines.append(" ".join(["", "is", name, *numbers]))
-        self._sums[name] = self._numbers.stand(numbers, Fraction(x.size) + Fraction(x.error))
+        self._sums[name] = self._numbers.as_value(numbers, Fraction(x.size) + Fraction(x.error))
 
     def _of_alive(self, name: str) -> tuple[str, ...]:
         """The numbers that stand for a value, without those that no result needs."""
@@ -231,13 +242,13 @@ class CertifiedPairs(PairRounding):
             hi = rounded_constant(x, self.precision)
             self._sums[word] = {}
             for y in filter(None, (hi, rest_of(x, self.precision))):
-                self._numbers.given(str(y.double), abs(y.double))
-                self._sums[word] |= of(str(y.double))
+                self._numbers.add_number(str(y.double), abs(y.double))
+                self._sums[word] |= monomial(str(y.double))
         return self._sums[word]
 
     def _more(self, f: Polynomial) -> Fraction:
         """Bounds all but the first of the numbers of a sum."""
-        return sum((self._numbers.most(of(*x)) for x in [*f][1:]), Fraction(0))
+        return sum((self._numbers.bound(monomial(*x)) for x in [*f][1:]), Fraction(0))
 
     def _word(self, x: Operand, number: bool = False) -> str:
         """The name of a value, or of a number."""
@@ -260,24 +271,15 @@ class CertifiedPairs(PairRounding):
         return step.operands[1] if step and step.op is Op.SELECT else x
 
 
-def turned(op: Op, angle: Sequence[str]) -> Polynomial:
-    """Sine or cosine of the sum of one or two numbers, in those of each."""
+def of_angle_sum(op: Op, angle: Sequence[str]) -> Polynomial:
+    """The sine or cosine of the sum of one or two numbers, as a polynomial in those of each."""
     if len(angle) == 1:
-        return of(f"{op.value} {angle[0]}")
+        return monomial(f"{op.value} {angle[0]}")
     (w, v), other = angle, "cos" if op is Op.SIN else "sin"
-    return plus(of(f"{op.value} {w}", f"cos {v}"), of(f"{other} {w}", f"sin {v}"),
+    return plus(monomial(f"{op.value} {w}", f"cos {v}"), monomial(f"{other} {w}", f"sin {v}"),
                 1 if op is Op.SIN else -1)
 
 
-def places(program: Program) -> list[str]:
+def component_names(program: Program) -> list[str]:
     """The names of the components of the results."""
     return [f"{a.name}[{k}]" for a in program.outputs for k in range(a.quantity.size)]
-
-
-def _needed(program: Program, results: Sequence[Operand]) -> set[str]:
-    """The names of the instructions on which these results depend."""
-    needed = {x.name for x in results if isinstance(x, Ref)}
-    for step in reversed(program.instructions):
-        if step.name in needed:
-            needed |= {x.name for x in step.operands if isinstance(x, Ref)}
-    return needed

@@ -21,16 +21,17 @@ from coscrew_codegen.program.elementary.sincos_error import ERROR as SINCOS_ERRO
 from coscrew_codegen.program.roundoff import CIRCULAR
 from coscrew_codegen.program.values.formats import Precision
 
-Product = tuple[str, ...]
-Polynomial = dict[Product, Fraction]
-"""Factors of products of numbers."""
+Monomial = tuple[str, ...]
+"""The names of a product's factors, sorted."""
+Polynomial = dict[Monomial, Fraction]
+"""Coefficients by monomial."""
 ONE: Polynomial = {(): Fraction(1)}
 SUMS = {Op.ADD: Op.ADD, Op.EXACT_ADD: Op.ADD, Op.SUB: Op.SUB, Op.EXACT_SUB: Op.SUB}
 """Sums and differences, whatever is known of their roundings."""
 ERRORS = {Op.SIN_ERROR: Op.SIN, Op.COS_ERROR: Op.COS}
 
 
-def of(*names: str) -> Polynomial:
+def monomial(*names: str) -> Polynomial:
     """The product of these numbers."""
     return {tuple(sorted(names)): Fraction(1)}
 
@@ -55,13 +56,13 @@ class PairInstructions:
         self.sizes: dict[str, Fraction] = {}
         self.forms: dict[str, Polynomial] = {}
         self.sine, self.rest = SINCOS.error(precision), above(SINCOS_ERROR.error(precision))
-        self._equal: dict[Product, Polynomial] = {}
+        self._equal: dict[Monomial, Polynomial] = {}
         self._sums: dict[str, tuple[Op, str, str]] = {}
         self._shares: dict[str, tuple[str, str]] = {}  # a sum, and the operand whose share it is
 
-    def given(self, name: str, size: Fraction) -> None:
-        """Includes a number up to this size, on which others depend."""
-        self.sizes[name], self.forms[name] = size, of(name)
+    def add_number(self, name: str, size: Fraction) -> None:
+        """Adds an input or a constant, up to this size."""
+        self.sizes[name], self.forms[name] = size, monomial(name)
 
     def times(self, f: Polynomial, g: Polynomial = ONE) -> Polynomial:
         """The product of two polynomials, in the fewest numbers."""
@@ -73,23 +74,24 @@ class PairInstructions:
                 result = plus(result, {k: z * x * y for k, z in known.items()})
         return result
 
-    def most(self, f: Polynomial) -> Fraction:
+    def bound(self, f: Polynomial) -> Fraction:
         """Bounds the size of a polynomial."""
         return sum((abs(x) * prod((self.sizes[y] for y in key), start=Fraction(1))
                     for key, x in f.items()), Fraction(0))
 
-    def issue(self, op: Op, name: str, operands: Sequence[str], least: Fraction,
-              inside: Callable[[Polynomial], Fraction] | None) -> tuple[float, float]:
-        """Bounds of the size of an instruction's result and of what its rounding loses; `least`
-        bounds a divisor from below, `inside` polynomials close to a known value."""
+    def add_instruction(self, op: Op, name: str, operands: Sequence[str], least: Fraction,
+                        inside: Callable[[Polynomial], Fraction] | None) -> tuple[float, float]:
+        """Adds an instruction; returns bounds of its result's size and of what its rounding loses.
+        `least` bounds a divisor from below; `inside` bounds a polynomial by its distance from a
+        value of known size."""
         for x in operands:
             if x not in self.forms:
-                self.given(x, abs(Fraction(x)))
+                self.add_number(x, abs(Fraction(x)))
         exact, form, top = self._exact(op, name, operands)
         if op is Op.DIV:
             top = self.sizes[operands[0]] / least
         else:
-            top = min(top, self.most(form), *([inside(form)] if inside else []))
+            top = min(top, self.bound(form), *([inside(form)] if inside else []))
         lost = Fraction(above(self._lost(op, operands, exact, top)))
         most = min(top + lost, self._most_computed(op, operands, top + lost, top))
         self.sizes[name], self.sizes[f"'{name}"] = Fraction(above(most)), lost
@@ -111,13 +113,13 @@ class PairInstructions:
         elif op in CIRCULAR or op in ERRORS:
             word = f"{ERRORS.get(op, op).value} {a}"
             self.sizes[word] = Fraction(1) if word[0] == "c" else min(self.sizes[a], Fraction(1))
-            form = plus(of(word), g if op in ERRORS else {}, -1)
+            form = plus(monomial(word), g if op in ERRORS else {}, -1)
         elif op is Op.NEG:
             form = plus({}, f, -1)
         else:
             assert op is Op.DIV, op
-            return False, of(name), Fraction(0)
-        return op is Op.NEG, form, self.most(form)
+            return False, monomial(name), Fraction(0)
+        return op is Op.NEG, form, self.bound(form)
 
     def _is_exact(self, op: Op, name: str, a: str, b: str, form: Polynomial) -> bool:
         """Returns whether a sum is known to lose nothing."""
@@ -164,25 +166,25 @@ class PairInstructions:
     def _keep(self, op: Op, name: str, operands: Sequence[str], form: Polynomial, lost: Fraction
               ) -> None:
         """Keeps what a number equals."""
-        rest = of(f"'{name}")
+        rest = monomial(f"'{name}")
         if op is Op.DIV:
             a, b = operands
             self.forms[name] = form
             self._equal[tuple(sorted((name, b)))] = plus(
-                self.forms[a], of(f"'{name}", b), -1)
+                self.forms[a], monomial(f"'{name}", b), -1)
         elif op is Op.MUL and len(form) == 1 and abs(next(iter(form.values()))) == 1:
             (key, sign), = form.items()
             self._equal[key] = {(name,): sign, (f"'{name}",): sign}
-            self.forms[name] = of(name)
+            self.forms[name] = monomial(name)
         else:
             self.forms[name] = plus(form, rest, -1) if lost else form
 
-    def stand(self, names: Sequence[str], most: Fraction) -> Polynomial:
-        """The sum of these numbers, which is at most this and stands for a value; the polynomials
-        that they equal are no longer followed."""
+    def as_value(self, names: Sequence[str], most: Fraction) -> Polynomial:
+        """The sum of these numbers, which stands for a value and is at most `most`; from here on
+        they are new numbers, whose own polynomials are forgotten."""
         more = sum((self.sizes[x] for x in names[1:]), Fraction(0))
         self.sizes[names[0]] = min(self.sizes[names[0]], most + more)
-        self.forms |= {x: of(x) for x in names}
+        self.forms |= {x: monomial(x) for x in names}
         return {(x,): Fraction(1) for x in names}
 
 

@@ -44,7 +44,7 @@ class PairRounding(FloatRounding):
 
     def __init__(self, precision: Precision, mixture: Mixture | None = None) -> None:
         super().__init__(precision)
-        self._mixture = mixture
+        self._mixture, self.turns = mixture, False
         self._relative = above(SINCOS_ERROR.error(precision))
 
     def constant(self, x: Constant) -> RoundedRange:
@@ -66,7 +66,7 @@ class PairRounding(FloatRounding):
                 ) -> RoundedRange:
         """A result that is a pair, or a single number."""
         if step.op in CIRCULAR:
-            return self._turned(step, before, *operands)
+            return self._sine_or_cosine(step, before, *operands)
         (a, p), (b, q) = map(self._factor, operands)
         left = down(operands[1].least, operands[1].error, q)
         if step.op is Op.MUL:
@@ -108,7 +108,8 @@ class PairRounding(FloatRounding):
         hi = (x.computed + x.low) * _MORE
         return hi, max(x.low, self.nearest(hi)[0] + Upward(2) * self.u * x.low)
 
-    def _turned(self, step: Instruction, before: RoundedRange, x: RoundedRange) -> RoundedRange:
+    def _sine_or_cosine(self, step: Instruction, before: RoundedRange, x: RoundedRange
+                        ) -> RoundedRange:
         one, ulps = Upward(1), self.of_circular(before.size, x)
         if not self.carries(step):
             return before.rounded(ulps, one)

@@ -1,16 +1,17 @@
 """Bounds of the size and of the rounding error of every value of a Program, for all arguments up to
 given sizes; how a format rounds is a rule that callers choose.
 
-The rules of `program/roundoff.py`, and two of quaternions:
+The rules of `program/roundoff.py`, those of turns in `vector_lengths.py`, and two of quaternions:
 
     xᵢ² ± xⱼ² …  of components of one quaternion: at most the largest |q|², and at least the least
                  if all are added; xᵢ xⱼ ± … at most half of that"""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import inf, nextafter
 from typing import NamedTuple, Protocol
 
+from coscrew_codegen.accuracy.vector_lengths import Length, VectorLengths
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.program import (
     Constant,
@@ -38,6 +39,9 @@ class Quadratic(NamedTuple):
 
 class RoundingRule(Protocol):
     """A format: the errors of its constants, roundings and functions."""
+
+    turns: bool
+    """Whether lengths of vectors that are turned are followed; operands are then as they are."""
 
     def constant(self, x: Constant) -> RoundedRange:
         """Bounds of a constant as it is stored."""
@@ -73,6 +77,8 @@ class ValueBounds:
         self._quaternion = {x: frozenset(each) for each in quaternions for x in each}
         self._quadratics: dict[Operand, Quadratic] = {}
         self._other: dict[Operand, RoundedRange] = {}
+        self.lengths = VectorLengths(self.of) if rule.turns else None
+        self._turned: dict[str, Length] = {}  # where lengths make bounds sharper
         self.by_name: dict[str, RoundedRange] = {}
         with uncollected():  # it took 0.4 of the time
             for step in program.instructions:
@@ -87,6 +93,11 @@ class ValueBounds:
             self._other[x] = self._leaf(x)
         return self._other[x]
 
+    def proof(self, step: Instruction) -> Iterator[Length]:
+        """The lengths of vectors on which the bounds of an instruction's result rest."""
+        if self.lengths and step.name in self._turned:
+            yield from self.lengths.proof(self._turned[step.name])
+
     def _leaf(self, x: Operand) -> RoundedRange:
         if isinstance(x, Input):
             size = Upward(self._sizes[x.argument][x.index])
@@ -99,6 +110,11 @@ class ValueBounds:
     def _applied(self, step: Instruction) -> RoundedRange:
         operands = [self._rule.operand(step, n, self.of(x)) for n, x in enumerate(step.operands)]
         before = combined(step, operands)
+        turned = self.lengths.turned(step) if self.lengths else None
+        if turned and (turned.size < before.size or turned.error < before.error):
+            before = before._replace(size=min(before.size, turned.size),
+                                     error=min(before.error, turned.error))
+            self._turned[step.name] = turned
         if step.op is Op.NEG or step.op not in FOLLOWED:
             return before
         form = self._quadratic(step)

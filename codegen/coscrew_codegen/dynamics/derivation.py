@@ -38,7 +38,7 @@ def tree_for(scene: Scene) -> Tree:
 
 
 Keep = Callable[[str, Callable[[], FunctionProgram]], FunctionProgram]
-"""Returns the function of this name, which it has kept or has made."""
+"""(name, make) -> the function of this name, from a store, or made and stored."""
 
 
 class Derivation:

@@ -108,7 +108,7 @@ def _quotient(a: RoundedRange, b: RoundedRange) -> RoundedRange:
     return RoundedRange(size, (a.error + size * b.error) / left, a.computed / left)
 
 
-def turned(step: Instruction, x: RoundedRange) -> RoundedRange:
+def sine_or_cosine(step: Instruction, x: RoundedRange) -> RoundedRange:
     """The bounds of the sine or the cosine of x̂."""
     size = min(Upward(1), x.size) if step.op is Op.SIN else Upward(1)
     return RoundedRange(size, x.error, circular=(step.op, step.operands[0]))
@@ -117,7 +117,8 @@ def turned(step: Instruction, x: RoundedRange) -> RoundedRange:
 _RULES: Mapping[Op, Callable[..., RoundedRange]] = {
     Op.ADD: lambda _, a, b: total(a, b), Op.SUB: lambda _, a, b: total(a, b),
     Op.MUL: lambda _, a, b: product(a, b), Op.DIV: lambda _, a, b: _quotient(a, b),
-    Op.NEG: lambda _, a: a._replace(own=NONE, least=NONE), Op.SIN: turned, Op.COS: turned}
+    Op.NEG: lambda _, a: a._replace(own=NONE, least=NONE),
+    Op.SIN: sine_or_cosine, Op.COS: sine_or_cosine}
 FOLLOWED = frozenset(_RULES)
 """Operations that have a rule."""
 

@@ -5,7 +5,7 @@ overlap.  An index is the integer part of a number, kept within the rows: 0 for 
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from coscrew_codegen.program.program import Program
+
 
 @dataclass(frozen=True, repr=False)
 class ConstantTable:
@@ -48,10 +49,10 @@ class ConstantTable:
 
 @dataclass(frozen=True)
 class TableColumn:
-    """The number at a place of every row, as an operand of the instruction that reads a table."""
+    """A column of a table: the number at one place of every row, as an operand of GATHER."""
 
     table: ConstantTable
-    place: int = field(default=0)
+    place: int
 
     def at(self, index: Any) -> Fraction:
         """The number in the row of this index."""

@@ -296,7 +296,7 @@ class SceneFunction:
     depends: Depends = Depends.MASSES
     default: Default = IF_SELECTED
     recorded: tuple[SceneQuantity, ...] = ()
-    recorded_in: Callable[[Scene], bool] = lambda scene: True
+    recorded_in: Callable[[Scene], bool] = lambda scene: True  # whether a scene can record these
     divides: bool = False  # by the mass matrix, or called only by functions that do
     lacks: Callable[[Situation], str] | None = None  # "" if a scene can have it
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene

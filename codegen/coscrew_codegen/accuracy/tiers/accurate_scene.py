@@ -16,7 +16,7 @@ import numpy as np
 
 from coscrew_codegen.accuracy.tiers.compensated import (
     Carrier,
-    Carriers,
+    CarrierFactory,
     Carrying,
     Name,
     Rule,
@@ -30,7 +30,7 @@ from coscrew_codegen.program.values.formats import Precision
 _NUMBER = re.compile(r"_[0-9]+$")
 
 
-def in_pairs(program: Program, precision: Precision, carrier: Carriers = Carrier) -> Program:
+def in_pairs(program: Program, precision: Precision, carrier: CarrierFactory = Carrier) -> Program:
     """The plain program with every value, constants included, as hi + lo in this precision."""
     program = compared_exactly(program.fine or program, precision)
     return rounded(carrier(program, precision, SCENES).of(program), precision)

@@ -78,15 +78,15 @@ class Carrier:
         self._how.rules[step.op](self, step._replace(operands=tuple(map(self.hi, step.operands))))
 
     def of(self, program: Program, carry: Callable[[Instruction], None] | None = None) -> Program:
-        """The plain program with its values carried, by default all in pairs, its results rounded.
-        """
+        """The plain program with its values carried by `carry`, by default all in pairs, and its
+        results rounded."""
         for step in program.instructions:
             (carry or self.carry)(step)
-            self.carried(step)
+            self.note(step)
         return self._finished(program)
 
-    def carried(self, step: Instruction) -> None:
-        """Takes note that a plain instruction has been carried."""
+    def note(self, step: Instruction) -> None:
+        """Does nothing; a subclass notes a plain instruction that has been carried."""
 
     def _finished(self, program: Program) -> Program:
         guarded = bool(program.counts.keys() & _MAY_FAIL)
@@ -191,8 +191,8 @@ class Carrier:
         return Ref(choice.name),
 
 
-Carriers = Callable[[Program, Precision, Carrying], Carrier]
-"""Makes what carries a program's values: a Carrier, or one that takes notes."""
+CarrierFactory = Callable[[Program, Precision, Carrying], Carrier]
+"""Constructs the Carrier of a program."""
 
 
 def carried(program: Program, precision: Precision, how: Carrying) -> Program:

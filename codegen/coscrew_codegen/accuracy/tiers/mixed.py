@@ -7,7 +7,7 @@ contributions of the lo; else as hi + lo rounded."""
 from dataclasses import dataclass
 
 from coscrew_codegen.accuracy.tiers.accurate_scene import SCENES, compared_exactly, rounded
-from coscrew_codegen.accuracy.tiers.compensated import Carrier, Carriers, cross_terms
+from coscrew_codegen.accuracy.tiers.compensated import Carrier, CarrierFactory, cross_terms
 from coscrew_codegen.accuracy.tiers.tier import Tier
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program
 from coscrew_codegen.program.program import name_of
@@ -26,7 +26,7 @@ class Mixture:
     kept: frozenset[tuple[str, int]]
 
 
-def mixed(program: Program, mixture: Mixture, carrier: Carriers = Carrier) -> Program:
+def mixed(program: Program, mixture: Mixture, carrier: CarrierFactory = Carrier) -> Program:
     """The plain program in single precision with this mixture."""
     program = compared_exactly(program, SINGLE)
     pairs = carrier(program, SINGLE, SCENES)

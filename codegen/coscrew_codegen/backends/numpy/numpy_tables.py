@@ -29,4 +29,4 @@ def names(programs: Iterable[Program]) -> list[str]:
 def module(programs: Iterable[Program], precision: Precision, banner: str) -> str:
     """The module of these functions."""
     return render("scene/tables.py", banner=banner, precision=precision,
-                  tables=[c_tables.holes(x, precision) for x in tables_of(programs)])
+                  tables=[c_tables.template_data(x, precision) for x in tables_of(programs)])

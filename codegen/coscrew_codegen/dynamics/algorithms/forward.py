@@ -118,7 +118,7 @@ def _soft_rows(motion: Motion, start: AppliedEffects, acting: AppliedEffects
         if not pair.along.slopes.stiffness.is_zero:
             for x in across:
                 yield SoftRow(_along_velocities(motion, pair.unit_wrenches(x)),
-                              Slopes(zero, pair.tension), dot(x, pair.u), zero)
+                              Slopes(zero, pair.geometric_stiffness), dot(x, pair.u), zero)
     for total, sums in zip(start.sums, acting.sums, strict=True):
         if len(total.weights) > 1:
             yield _row_of(row(motion, total.weights), total.along, sums.along)

@@ -18,7 +18,7 @@ speeds of rotors behind elastic gears, and what follows with a lag follows the d
 (v0 + v1)/2: by h/2 for the kick, by h in all.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -77,7 +77,7 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     recorder = x.recorder
     h, = recorder.argument("h")
     v = recorder.argument("v")
-    q, carried = _drifted(x, recorder.argument("q"), v), carries(x.scene)
+    q, carried = _drifted(x, recorder.argument("q"), v, _rounded_before), carries(x.scene)
     first = x.motion(at=(q, v), carried=carried)
     start = AppliedEffects(x.scene, first, over=h / 2).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
@@ -120,21 +120,41 @@ def _turned(x: FunctionRecording, q: Sequence[Number], a: Sequence[Number],
     return results
 
 
-def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
-    """q with the effects' states moved by h/2 x'."""
+def _rounded_before(x: Number, step: Number) -> Number:
+    """The rounding of a step that led to x: all numbers near x have the same spacing."""
+    return x - (x - step) - step
+
+
+def _rounded_after(x: Number, step: Number) -> Number:
+    """The rounding of a step from x."""
+    return x + step - x - step
+
+
+def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number],
+             rounded: Callable[[Number, Number], Number]) -> list[Number]:
+    """q with the effects' states moved by h/2 x', bristles also by the rounding of coordinates.
+
+    By h/2 v alone they would part from the bodies that they hold, which creep in single precision:
+    where a joint rests between two numbers, each step is rounded alike."""
     nq, (h,) = x.tree.nq, x.recorder.argument("h")
     if len(q) == nq:
         return list(q)
-    states = AppliedEffects(x.scene, x.motion(at=(q, v))).act().states
+    errors = list(x.recorder.numbers([0] * x.tree.nv))
+    for link in x.tree.links:
+        if not (link.driver or link.joint.kind.manifold):
+            errors[link.v.start:link.v.stop] = map(
+                rounded, q[link.q.start:link.q.stop], scaled(h / 2, v[link.v.start:link.v.stop]))
+    states, off = (AppliedEffects(x.scene, x.motion(at=(q, y))).act().states for y in (v, errors))
     with x.recorder.part("x", heading="states of effects"):
-        return [*q[:nq], *(y for own in states for y in own.drifted(h / 2))]
+        return [*q[:nq], *(y for own, by in zip(states, off, strict=True)
+                           for y in own.drifted(h / 2, by.law.rates))]
 
 
 def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
     """q with the effects' states moved by h/2 x' and put within their bounds."""
     if len(q) == x.tree.nq:
         return list(q)
-    moved = _drifted(x, q, v)
+    moved = _drifted(x, q, v, _rounded_after)
     states = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().states
     return [*q[:x.tree.nq], *(y for own in states for y in own.kept)]
 

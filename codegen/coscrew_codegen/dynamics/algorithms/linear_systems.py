@@ -26,10 +26,10 @@ class Factors:
         x: list[Number | None] = []  # None is zero
         for i, row in enumerate(self.L):
             own = None if b[i].is_zero and i not in given else b[i]
-            x.append(_less(own, zip(row, x, strict=False)))
+            x.append(_minus_products(own, zip(row, x, strict=False)))
         x = [y if y is None else y * d for y, d in zip(x, self.inverse, strict=True)]
         for i in reversed(range(len(x))):
-            x[i] = _less(x[i], ((self.L[k][i], x[k]) for k in range(i + 1, len(x))))
+            x[i] = _minus_products(x[i], ((self.L[k][i], x[k]) for k in range(i + 1, len(x))))
         return [b[0].like(0) if y is None else y for y in x]
 
     def reached(self, rows: Iterable[int]) -> frozenset[int]:
@@ -59,7 +59,8 @@ class Factors:
         return X
 
 
-def _less(value: Number | None, terms: Iterable[tuple[Number, Number | None]]) -> Number | None:
+def _minus_products(value: Number | None, terms: Iterable[tuple[Number, Number | None]]
+                    ) -> Number | None:
     """value - Σ a b, without products with zeros."""
     for a, b in terms:
         if b is not None and not a.is_zero:

@@ -102,8 +102,8 @@ class Paired:
                 Force(self.points[1], second.own_direction(negative(pull)), power=zero))
 
     @property
-    def tension(self) -> Number:
-        """The pull of the points over their distance, at least 0: the stiffness across the line."""
+    def geometric_stiffness(self) -> Number:
+        """The stiffness across the line, in N/m: the tension over the distance, 0 if they push."""
         pull = maximum(-required(self.along.torque.torque), 0)
         return pull * (1 / maximum(self.along.at.q, CLOSEST))
 

@@ -38,8 +38,8 @@ from coscrew_codegen.program.roundoff import (
     Upward,
     combined,
     product,
+    sine_or_cosine,
     total,
-    turned,
 )
 
 KNOWN = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *CIRCULAR})
@@ -193,8 +193,8 @@ class _FixedWriter:
         own = fixed_sine.error(x.bits, x.reach)
         if own is None:
             raise NoFormatError(f"the angle {step.operands[0]} is too large")
-        return self._issue(step, step.op, (x,), fixed_sine.BITS, turned(step, x.bounds).rounded(
-            own), x.bits)
+        exact = sine_or_cosine(step, x.bounds)
+        return self._issue(step, step.op, (x,), fixed_sine.BITS, exact.rounded(own), x.bits)
 
     def _scaled(self, step: Instruction) -> FixedValue:
         """A product with a power of two: another f."""

@@ -104,7 +104,7 @@ def _loop(function: str, precision: Precision, tier: str) -> str:
 
 
 def over_states(scene: SceneFunctions, function: FunctionProgram, precision: Precision
-                 ) -> dict[str, object]:
+                ) -> dict[str, object]:
     """The declarations of the loop's arrays, a row an element, and the call for row i."""
     declared, passed = [], []
     arguments = [*((a, "const ") for a in function.program.inputs),

@@ -81,7 +81,7 @@ class HeightGrid(Formula):
         first, last = ([2 * a - b for a, b in zip(rows[i], rows[k], strict=True)]
                        for i, k in ((0, 1), (-1, -2)))
         return ConstantTable(tuple(z for row in (first, *rows, last) for z in row), 1,
-                     3 * len(first) + 4)
+                             3 * len(first) + 4)
 
 
 def _straight(line: Sequence[Fraction]) -> list[Fraction]:

@@ -17,7 +17,7 @@ from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check import check_rounding, step_advice
 from coscrew_codegen.simulation.check.bristle_check import bristles_of
-from coscrew_codegen.simulation.check.contact_check import apart, contacts_of
+from coscrew_codegen.simulation.check.contact_check import contacts_of, point_distances
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.energy_balance import Balance, balance
 from coscrew_codegen.simulation.check.findings import SECOND_RUN, THIRD_RUN, AlongRun, Findings, Met
@@ -69,7 +69,7 @@ def _check(kernels: "Kernels", overrides: RunOverrides, rounding: bool) -> Findi
     between = differences(*(_sparse(*x) for x in both)) if len(both) == 2 else ()
     judged = check_rounding.rounding(kernels, both) if rounding else ()
     return Findings(met, tuple(along), between, outside(its, its.start()[0]), judged,
-                    mobility(its), apart(*both) if len(both) == 2 else ())
+                    mobility(its), point_distances(*both) if len(both) == 2 else ())
 
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides

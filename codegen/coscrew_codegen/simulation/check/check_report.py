@@ -120,7 +120,7 @@ def _each_contact(findings: Findings) -> str:
     closed = [i for i in order if any(x[i].closed for x in its)]
     if not closed:
         return "no contact closes"
-    apart = findings.touching_apart
+    apart = findings.contact_distances
     rows = [(its[0][i].name, *(text for x in its for text in (
         f"{x[i].depth:.2f}", f"{x[i].at:g}", f"{x[i].ends:.2f}", f"{x[i].slipping:.2g}")),
         *([f"{apart[i]:.2g}"] if apart else [])) for i in closed[:_MOST]]

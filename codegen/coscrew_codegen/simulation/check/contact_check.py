@@ -107,8 +107,8 @@ def contacts_of(system: System, trajectory: Trajectory, step: float) -> Contacts
     closed = depths > 0
     slips = closed & (shares > _SLIPS)
     each = tuple(ContactOfRun(x.name, float(depths[(worst := largest(depths[:, i])), i]),
-                         float(t[worst]), float(depths[-1, i]), float(closed[:, i].mean()),
-                         float(slips[:, i].sum() / max(1, closed[:, i].sum())), float(through))
+                              float(t[worst]), float(depths[-1, i]), float(closed[:, i].mean()),
+                              float(slips[:, i].sum() / max(1, closed[:, i].sum())), float(through))
                  for i, (x, through) in enumerate(zip(touching(system), depths_through(system),
                                                       strict=True)))
     return ContactsOfRun(each, unresolved(system, trajectory, step),
@@ -116,8 +116,8 @@ def contacts_of(system: System, trajectory: Trajectory, step: float) -> Contacts
                          -_ROUNDED * float(np.finfo(system.dtype).eps))
 
 
-def apart(double: tuple[System, Trajectory], single: tuple[System, Trajectory]
-          ) -> tuple[float, ...]:
+def point_distances(double: tuple[System, Trajectory], single: tuple[System, Trajectory]
+                    ) -> tuple[float, ...]:
     """The largest distance between the points of each contact in both precisions, while it is
     closed in both, in m."""
     if not double[0].has(ALL_CONTACTS):

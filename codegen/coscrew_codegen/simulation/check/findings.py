@@ -172,8 +172,8 @@ class Findings:
     outside: str = ""  # joints that start outside their ranges, in words
     rounding: tuple[RoundedResults, ...] = ()  # of the judged functions
     mobility: str = ""  # the freedoms that closed loops leave, in words
-    touching_apart: tuple[float, ...] = ()  # the largest distance of each contact's points between
-    # the precisions, in m
+    contact_distances: tuple[float, ...] = ()  # between the points of each contact in both
+    # precisions, the largest, in m
 
     @property
     def passed(self) -> bool:

@@ -1,5 +1,6 @@
 """Windows: some steps of a run, repeated with smaller ones; and the way of coordinates."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -18,6 +19,7 @@ _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are comp
 _DIVISOR = 4
 _POWERS = 5  # of _DIVISOR, by which steps are divided, at most
 _SEEN = 0.01  # rad or m: least way whose loss to rounding counts
+_KEPT = 16  # windows, at most, that are compared with a run in double precision
 _MOST = 4_000_000  # steps of the finest reference motion of a window, of all members together
 
 
@@ -133,8 +135,10 @@ class Way:
         self._vectors = [
             (c.joint, slice(c.v[v].start, c.v[v].stop), kind.floats and v.start == 0 and kept)
             for c in its for kind in [KIND_NAMED[c.kind]] for _, _, v in kind.q_parts]
+        self._integrator = integrator
         self._made = self._lost = self._near = np.zeros(1)
-        self._steps = 0
+        self._seen: list[tuple[float, State]] = []  # the times and states of some windows
+        self._steps, self._h = 0, 0.0
 
     def add(self, window: Window, steps: int) -> None:
         """Adds a window, which represents so many steps."""
@@ -146,28 +150,51 @@ class Way:
             made = made + (n - done) * window.h / 2 * rates
             gone = gone + self._moved(before[0], state[0])
             before, done = state, n
-        share = steps / window.count
+        self._h, share = self._h or window.h, steps / window.count
         self._made = self._made + share * np.abs(made)
         self._lost = self._lost + share * (made - gone) * np.sign(made)
         self._near = np.fmax(self._near, self._numbers(window.q))
+        self._seen.append((window.t, (window.q, window.v)))
+        if len(self._seen) > _KEPT:
+            del self._seen[1:-1:2]
         self._steps += steps
 
     def frozen(self, allowed: float) -> dict[tuple[int, ...], tuple[str, float, float]]:
         """Returns (joint, lost share of its way, its coordinate) by member, where the loss exceeds
-        the allowed one and rounding explains it."""
-        if not self._steps:
-            return {}
-        spacing = np.spacing(self._near.astype(self._system.dtype)).astype(float)
+        the allowed one and rounding explains it, and a run in double precision comes elsewhere."""
+        losses = self._lost
+        if any(coarse.any() for *_, coarse in self._coarse(allowed, losses)):
+            losses = np.clip(losses, -self._missed, self._missed)
         results: dict[tuple[int, ...], tuple[str, float, float]] = {}
-        for joint, place, kept in self._vectors:
-            lost, way, least = (np.linalg.norm(x[..., place], axis=-1)
-                                for x in (self._lost, self._made, spacing))
-            way = np.maximum(way, _SEEN)
-            coarse = (lost > allowed * way) & (lost < self._steps * least) & (not kept)
+        for joint, place, lost, way, coarse in self._coarse(allowed, losses):
             for i in map(tuple, np.argwhere(coarse).tolist()):
                 results.setdefault(i, (joint, float(lost[i] / way[i]),
                                        float(self._near[i][place].max())))
         return results
+
+    def _coarse(self, allowed: float, losses: np.ndarray
+                ) -> Iterator[tuple[str, slice, np.ndarray, np.ndarray, np.ndarray]]:
+        """(joint, its places, lost way, way, whether too much is lost)."""
+        spacing = np.spacing(self._near.astype(self._system.dtype)).astype(float)
+        for joint, place, kept in self._vectors if self._steps else ():
+            lost, way, least = (np.linalg.norm(x[..., place], axis=-1)
+                                for x in (losses, self._made, spacing))
+            way = np.maximum(way, _SEEN)
+            yield (joint, place, lost, way,
+                   (lost > allowed * way) & (lost < self._steps * least) & (not kept))
+
+    @property
+    def _missed(self) -> np.ndarray:
+        """The largest distances from a run in double precision.  They are small where forces
+        balance between two numbers: there single precision keeps a velocity that leads nowhere."""
+        exact, ((t, start), *others) = in_double(self._system), self._seen
+        step, missed = exact.stepper(self._integrator.step_name), np.zeros(1)
+        q, v = (x.astype(exact.dtype) for x in start)
+        for at, (seen, _) in others:
+            if count := round((at - t) / self._h):
+                q, v = step(count, t, (at - t) / count, q, v)
+                missed, t = np.fmax(missed, np.abs(self._moved(q, seen))), at
+        return missed
 
     def _rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The rates of angles, lengths and positions; for rotations the angular velocity in the

@@ -37,12 +37,13 @@ def written(programs: Iterable[Program], precision: Precision) -> str:
                   lanes=precision.lanes, device=device, real=precision.c_type,
                   one=precision.c_type if device else number,  # of one state
                   function="KSL_FUNCTION" if device else "static KSL_INLINED",
-                  tables=[holes(x, precision, precision.suffix) for x in tables_of(known)])
+                  tables=[template_data(x, precision, precision.suffix) for x in tables_of(known)])
 
 
-def holes(table: ConstantTable, precision: Precision, suffix: str = "") -> dict[str, object]:
-    """Returns a template's data for a table; literals, the shortest decimals that round to its
-    numbers, end in the suffix."""
+def template_data(table: ConstantTable, precision: Precision, suffix: str = ""
+                  ) -> dict[str, object]:
+    """Returns a table's name and sizes, and its numbers as literals, for templates; literals are
+    the shortest decimals that round to the numbers, and end in the suffix."""
     numbers = [f"{x}{suffix}" for x in rounded(table, precision)]
     return {"name": table.name, "rows": table.rows, "stride": table.stride, "width": table.width,
             "count": len(numbers), "numbers": listed("    ", numbers, "", WIDTH)}

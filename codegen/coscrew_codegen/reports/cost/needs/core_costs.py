@@ -26,7 +26,7 @@ from coscrew_codegen.reports.cost.function_errors import FunctionErrors
 from coscrew_codegen.reports.cost.measured import TierChoice
 from coscrew_codegen.reports.cost.needs import core_estimates, cortex_m4
 from coscrew_codegen.reports.cost.needs.core_estimates import Operations
-from coscrew_codegen.reports.cost.needs.fixed_times import fixed_times
+from coscrew_codegen.reports.cost.needs.fixed_times import FORMATS, fixed_times
 from coscrew_codegen.reports.cost.needs.proved import over_ranges
 from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.runtime.compilation import Compiler
@@ -48,7 +48,7 @@ class CoreCost:
     time on this machine."""
 
     function: str
-    format: str  # double, single accurate; fixed, high products of fixed
+    format: str  # double, single accurate, fixed, fixed (high)
     tier: str
     precision: str
     bounds: dict[str, float]  # {} without a proof
@@ -159,13 +159,13 @@ def _variants(made: FixedScene, plain: SceneFunctions, tiers: Sequence[SceneTier
         function = scene.named(name)
         words = p.name if tier == PLAIN.name else f"{p.name} {tier}"
         yield FormatC(words, tier, p, stem, stem, c_name(scene, name, p), function,
-                       over_ranges(plain.named(name), TierChoice(tier, p)))
+                      over_ranges(plain.named(name), TierChoice(tier, p)))
     for products, fixed in f.programs.items():
         mark = scene_c_fixed.MARK[products]
-        yield FormatC(f"{INTEGERS.name}{' (high)' * (products is Products.HIGH)}", made.tier.name,
-                       INTEGERS, f"{made.stem}{mark}", made.stem,
-                       scene_c_fixed.c_name(made, f, products), f.plain,
-                       [float(x.error) for x in fixed.results], fixed, products)
+        yield FormatC(FORMATS[products], made.tier.name,
+                      INTEGERS, f"{made.stem}{mark}", made.stem,
+                      scene_c_fixed.c_name(made, f, products), f.plain,
+                      [float(x.error) for x in fixed.results], fixed, products)
 
 
 def given_at(x: FormatC, f: FixedFunction) -> list[np.ndarray]:

@@ -16,6 +16,8 @@ from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers, timed_loops
 from coscrew_codegen.runtime.compilation import Compiler, library
 
+FORMATS = {Products.FULL: INTEGERS.name, Products.HIGH: f"{INTEGERS.name} (high)"}
+"""Names of the formats in tables."""
 _SECONDS = 0.02  # of each function
 
 
@@ -28,8 +30,8 @@ def fixed_times(made: FixedScene, files: Mapping[str, str], compiler: Compiler
         {"name": loops[f.plain.name, x], **over_states(
             replace(made.plain, mark=f"{made.tier.mark}{MARK[x]}"), f.plain, INTEGERS)}
         for x in Products for f in made.functions])
-    mine = {name: content for name, content in files.items() if INTEGERS.name in name}
-    sources = {**mine, "loops.c": text, "driver.c": driver()}
+    of_integers = {name: content for name, content in files.items() if INTEGERS.name in name}
+    sources = {**of_integers, "loops.c": text, "driver.c": driver()}
     names = [x for x in sources if x.endswith(".c") and not x.endswith("_double.c")]
     opened = library({x: (x,) for x in names}, sources, compiler).opened
     draw, timed = np.random.default_rng(1), []
@@ -42,6 +44,6 @@ def fixed_times(made: FixedScene, files: Mapping[str, str], compiler: Compiler
         timed += [Loop(getattr(opened, loops[f.plain.name, x]), ELEMENTS, pointers(arrays))
                   for x in Products]
     times = timed_loops(opened, timed, 1e9 * _SECONDS * len(timed))
-    keys = [(f.plain.name, f"{INTEGERS.name}{' (high)' * (x is Products.HIGH)}")
+    keys = [(f.plain.name, FORMATS[x])
             for f in made.functions for x in Products]
     return {key: x.time for key, x in zip(keys, times, strict=True)}

@@ -157,6 +157,10 @@ def _in_own_table(reading: EffectTable, key: str) -> Applied:
     label = "; or body = … under a label" if reading.what == "body" else (
         "; or joints = { … } under a label" if reading.sums else "")
     if key not in {x.name for x in reading.elements}:
+        if reading.several in own.values or key == "all":
+            table.refuse(key, f"no {reading.what} {key!r}; wanted {reading.several} = \"all\" or a "
+                              f"list of names in [{table.where}] itself, or a table for each "
+                              f"{reading.what}{label}")
         known = (*reading.targets, *reading.parameters, reading.several)
         table.refuse(key, f"no {reading.what} {key!r}{label}; {did_you_mean(key, known)}")
     on = reading.target(table, key, key)
