@@ -14,7 +14,7 @@ import pytest
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.algebra.operations import OPERATIONS
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.reports.kernels.pages import ranking
+from coscrew_codegen.reports.kernels import ranking
 from coscrew_codegen.reports.kernels.report_json import SCHEMA, Report
 from coscrew_codegen.reports.kernels.variants import variants_of
 from tests.support.processes import interruptible

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from coscrew_codegen.backends.emit import EmitError
-from coscrew_codegen.reports.kernels.pages.report_page import write
+from coscrew_codegen.reports.kernels.report_page import write
 from tests.support.sample_report import sample_report, variant
 
 REPORT = sample_report()
@@ -49,7 +49,7 @@ def test_operations_have_figures_on_demand(tmp_path):
 
 def test_all_files_are_the_same_bytes_in_another_process(folder, tmp_path):
     program = ("import sys; from pathlib import Path;"
-               "from coscrew_codegen.reports.kernels.pages.report_page import write;"
+               "from coscrew_codegen.reports.kernels.report_page import write;"
                "from tests.support.sample_report import sample_report;"
                "write(sample_report(), Path(sys.argv[1]))")
     subprocess.run([sys.executable, "-c", program, str(tmp_path)], check=True,

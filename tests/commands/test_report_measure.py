@@ -20,11 +20,11 @@ from coscrew_codegen.reports.kernels import (
     kernel_errors,
     kernel_library,
     kernel_measurement,
+    ranking,
 )
 from coscrew_codegen.reports.kernels.c_text import Variant, last_component
 from coscrew_codegen.reports.kernels.drift import deviations, drifts, power
 from coscrew_codegen.reports.kernels.kernel_timing import Timed, python_function
-from coscrew_codegen.reports.kernels.pages import ranking
 from coscrew_codegen.reports.kernels.variants import variants_of
 from coscrew_codegen.reports.timing.loop_timing import Timing
 from tests.support.each import each_precision

@@ -8,7 +8,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from coscrew_codegen.backends.html.pages import number, with_interval
-from coscrew_codegen.reports.kernels.pages.report_page import write
+from coscrew_codegen.reports.kernels.report_page import write
 from tests.support.browser import chromium, resize
 from tests.support.sample_report import SHOWN_FIRST, layout_name, sample_report, variant
 

@@ -93,8 +93,12 @@ def test_what_a_scene_does_not_hold_is_in_comments(written):
     assert "shapes are not written" not in text
     shape = '<link name="d"><collision><geometry><sphere radius="1"/></geometry></collision>'
     _, target = written(URDF.replace('<link name="d">', shape), "round.urdf")
-    assert ('# 1 collision shape is not written: a scene with model = "round.urdf" has them\n'
+    assert ('# 1 collision shape is not written: a scene with model = "round.urdf" has it\n'
             in target.read_text())
+    shape += "<visual><geometry><sphere radius='1'/></geometry></visual>"
+    _, target = written(URDF.replace('<link name="d">', shape), "seen.urdf")
+    assert ('# 1 visual and 1 collision shapes are not written: a scene with model = "seen.urdf" '
+            "has them\n" in target.read_text())
     _, target = written(SDF, "body.sdf")
     assert "# line 3: <gz:extra> is another tool's and is not used" in target.read_text()
 

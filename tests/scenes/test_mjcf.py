@@ -108,14 +108,6 @@ def test_a_scene_chooses_its_effects(read):
     assert not any("joint pitch: spring of the model's file" in x for x in written)
 
 
-def test_flags_of_the_file_are_obeyed(read):
-    more = '<option><flag gravity="disable" spring="disable" damper="disable"/></option>'
-    names = {x.name for x in read(more=more).effects}
-    assert not any(x.startswith(("spring", "viscous", "wrench")) for x in names)
-    gravity = next(x for x in read(more=more).effects if x.name == "gravity")
-    assert not any(gravity.values["g"])
-
-
 UNKEPT = {
     "tendons": ('<tendon><fixed name="t" stiffness="3" springlength="0 1"><joint joint="wag" '
                 'coef="1"/></fixed></tendon>', "tendon 't'"),

@@ -109,6 +109,23 @@ def test_unknown_names_are_refused_with_what_was_meant(refused, old, new, where,
     assert place.startswith(where) and words in problem
 
 
+def test_what_gazebo_changes_in_the_motion_is_reported(read):
+    """Springs with the effect to write; the usual texts change nothing."""
+    usual = "<gazebo reference='tip'><gravity>true</gravity><static>0</static><mu1>1</mu1>" \
+        "<springStiffness>0.0</springStiffness></gazebo></robot>"
+    assert read(FULL.replace("</robot>", usual)).notices == read(FULL).notices
+    model = read(FULL.replace("</robot>", """<gazebo><static>true</static></gazebo>
+<gazebo reference="tip"><gravity>0</gravity><dampingFactor>0.1</dampingFactor></gazebo>
+<gazebo reference="elbow"><springStiffness>7</springStiffness><springReference>0.2</springReference>
+</gazebo><gazebo reference="x"><springStiffness>a</springStiffness></gazebo></robot>"""))
+    assert [x.text for x in model.notices[len(read(FULL).notices):]] == [
+        "robot: <static> 'true' of <gazebo> is not used",
+        "tip: <gravity> '0' of <gazebo> is not used",
+        "tip: <dampingFactor> '0.1' of <gazebo> is not used",
+        "joint elbow: <springStiffness> of <gazebo> is not used: add [effects.spring.elbow] with "
+        "k = 7.0 and q0 = 0.2", "joint x: <springStiffness> of <gazebo> is not used"]
+
+
 @pytest.mark.parametrize("old, new", [
     ("<robot ", '<robot xmlns:xacro="http://ros.org/wiki/xacro" xml:lang="en" '),
     ('<link name="ground"/>', '<link name="ground" type="laser"><contact><inertia_scaling '

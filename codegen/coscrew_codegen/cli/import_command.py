@@ -38,5 +38,6 @@ def run(options: argparse.Namespace) -> int:
         return 0
     target.write_text(text, encoding="utf-8")
     count = sum(line.startswith("#") for line in text.splitlines())
-    print(f"{target}: written, with {count} lines of comments", file=sys.stderr)
+    print(f"{target}: written, with {count} line{'s' * (count > 1)} of "
+          "comments", file=sys.stderr)
     return 0

@@ -38,8 +38,7 @@ def run(options: argparse.Namespace) -> int:
     """Measure and write the report; returns the exit status."""
     from coscrew_codegen.backends.emit import write
     from coscrew_codegen.backends.selection import operations_named
-    from coscrew_codegen.reports.kernels import inputs, kernel_measurement
-    from coscrew_codegen.reports.kernels.pages import ranking, report_page
+    from coscrew_codegen.reports.kernels import inputs, kernel_measurement, ranking, report_page
 
     if not (math.isfinite(options.minutes) and options.minutes > 0):
         raise ReportError(f"--minutes: wanted a positive number; got {options.minutes}")

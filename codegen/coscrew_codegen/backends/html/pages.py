@@ -1,11 +1,9 @@
 """Pages of chapters: self-contained HTML, and text for a terminal; data as JSON."""
 
-import json
 import re
 import textwrap
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
 from typing import TYPE_CHECKING
 
 from markupsafe import Markup
@@ -17,8 +15,6 @@ from coscrew_codegen.program.values.digits import three_digits
 if TYPE_CHECKING:  # Matplotlib, which data and tables do without
     from coscrew_codegen.backends.html.plots import Panel
 
-Json = Mapping[str, "Json"] | Sequence["Json"] | str | float | bool | None
-
 
 @dataclass(frozen=True)
 class Table:
@@ -29,6 +25,15 @@ class Table:
     notes: tuple[str, ...] = ()
     title: str = ""
     texts: int = 1  # columns from the left that hold words
+
+    @staticmethod
+    def of(rows: Iterable[Mapping[str, str]], notes: Sequence[str] = (), title: str = "",
+           texts: int = 1, columns: Sequence[str] = ()) -> "Table":
+        """The table of rows by their headers, in all columns or in these."""
+        known = tuple(rows)
+        headers = tuple(columns or next(iter(known), ()))
+        return Table(headers, tuple(tuple(row[x] for x in headers) for row in known),
+                     tuple(notes), title, texts)
 
     def text(self) -> str:
         """The table as text for a terminal."""
@@ -91,19 +96,3 @@ def with_interval(median: float | None, low: float | None, high: float | None) -
 def wrapped(text: str) -> str:
     """The text in lines for a terminal."""
     return textwrap.fill(text, 110)
-
-
-def embedded(data: Json) -> Markup:
-    """JSON that is safe in a script element: without `<`, and without bare NaN or Infinity."""
-    text = json.dumps(finite(data), allow_nan=False, separators=(",", ":"))
-    return Markup(text.replace("<", "\\u003c"))
-
-
-def finite(data: Json, instead: Callable[[float], Json] = json.dumps) -> Json:
-    """The data without NaN and infinities: as strings, "NaN", "Infinity" and "-Infinity", or what
-    stands `instead`."""
-    if isinstance(data, Mapping):
-        return {key: finite(value, instead) for key, value in data.items()}
-    if isinstance(data, list | tuple):
-        return [finite(value, instead) for value in data]
-    return instead(data) if isinstance(data, float) and not isfinite(data) else data

@@ -42,12 +42,12 @@ STYLE = RcParams({
     "axes.prop_cycle": cycler(color=[light for light, _ in LINES])})
 """Text as paths, so that it looks alike everywhere; ids from a fixed salt."""
 
+_PAIRS = (*LINES, *(tier.colours for tier in (*TIERS, *OF_SCENES)))
 _DARK = {INK: "#e7eaf0", QUIET: "#a0a9b8", EDGE: "#a0a9b8", _RULE: "#313947", _CARD: "#1a1f27",
-         **dict((*LINES, *(tier.colours for tier in (*TIERS, *OF_SCENES))))}
+         **dict(_PAIRS)}
 """Colours on a dark ground, by those on a light one."""
 _IN_PAGES = {INK: "var(--ink)", QUIET: "var(--quiet)", EDGE: "var(--quiet)", _RULE: "var(--rule)",
-             _CARD: "var(--card)", **{light: f"light-dark({light}, {dark})" for light, dark in (
-                 *LINES, *(tier.colours for tier in (*TIERS, *OF_SCENES)))}}
+             _CARD: "var(--card)", **{x: f"light-dark({x}, {dark})" for x, dark in _PAIRS}}
 _SIZE = (4.1, 3.2)  # inches of a panel: three stand in a row of a wide page, one on a phone
 _SVG, _LINK = "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"
 _REPRODUCIBLE = {".svg": dict.fromkeys(("Date", "Creator", "Format", "Type")),
@@ -68,11 +68,6 @@ class Panel:
 
     label: str
     draw: Callable[[Axes], None]
-
-    @property
-    def file(self) -> str:
-        """The name of its file."""
-        return f"{slug(self.label)}.svg"
 
     @property
     @styled

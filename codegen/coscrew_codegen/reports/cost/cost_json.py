@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from coscrew_codegen.backends import version
-from coscrew_codegen.backends.html.pages import Json, finite
+from coscrew_codegen.program.values.json_values import Json, finite
 from coscrew_codegen.reports.cost.cost_measurement import Costs
-from coscrew_codegen.reports.cost.figures.cost_page import best
 from coscrew_codegen.reports.cost.function_errors import Bounds, ErrorStatistics, FunctionErrors
 from coscrew_codegen.reports.cost.measured import DIGITS
 from coscrew_codegen.reports.cost.needs.answers import SURENESS, Answer, Sufficient
@@ -54,7 +53,7 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
         "runs": [{
             "integrator": x.integrator, "precision": x.precision, "step": x.step, "steps": x.steps,
             "language": x.by, "time": _time(x.time), "error": x.error,
-            "error_known": costs.known(x), "best": best(x, costs)} for x in costs.points],
+            "error_known": costs.known(x), "best": costs.best(x)} for x in costs.points],
         "run_errors": _run_errors(costs.run_errors)}
 
 

@@ -1,6 +1,7 @@
 """Measures a scene: errors and times of its functions in every tier and precision; their operations
 and times, with and without each effect; accuracy of runs against time."""
 
+import math
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -91,6 +92,11 @@ class Costs:
         """Returns whether a run's error exceeds the reference's, and so is known; a smaller error
         is only known to be small."""
         return self.reference is not None and point.error > self.reference.error
+
+    def best(self, point: Point) -> bool:
+        """Returns whether no other run is faster, with disjoint intervals, and as accurate."""
+        return math.isfinite(point.error) and not any(
+            x.time.below(point.time) and x.error <= point.error for x in self.points)
 
 
 def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> Costs:

@@ -30,7 +30,7 @@ from coscrew_codegen.reports.kernels.kernel_errors import Arrays, KernelAccuracy
 from coscrew_codegen.reports.kernels.kernel_library import KernelLibrary, compilers, libraries
 from coscrew_codegen.reports.kernels.kernel_timing import COUNTS, Timed
 from coscrew_codegen.reports.kernels.measurement_provenance import provenance
-from coscrew_codegen.reports.kernels.pages.ranking import Key, times
+from coscrew_codegen.reports.kernels.ranking import Key, times
 from coscrew_codegen.reports.kernels.report_json import (
     SCHEMA,
     DriftErrors,

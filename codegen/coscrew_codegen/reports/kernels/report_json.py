@@ -86,6 +86,11 @@ class Time:
     dominated: bool
 
     @property
+    def interval(self) -> tuple[float, float, float]:
+        """The median with its interval."""
+        return self.ns, self.low, self.high
+
+    @property
     def kind(self) -> str:
         """Its language, compiler and layout."""
         return ", ".join(filter(None, (self.language, self.compiler, self.layout)))

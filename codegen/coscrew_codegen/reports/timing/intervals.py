@@ -26,6 +26,10 @@ class Interval:
     low: float
     high: float
 
+    def numbers(self, scale: float = 1.0) -> tuple[float, float, float]:
+        """The median, low and high, times a factor."""
+        return scale * self.median, scale * self.low, scale * self.high
+
     def below(self, other: "Interval") -> bool:
         """Returns whether this interval lies below the other, without overlap."""
         return self.high < other.low

@@ -8,7 +8,7 @@ from functools import cached_property
 from hashlib import sha256
 from math import prod
 
-from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.candidates import (

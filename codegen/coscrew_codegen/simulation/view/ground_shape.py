@@ -4,8 +4,8 @@ from functools import partial
 
 import numpy as np
 
-from coscrew_codegen.backends.html.pages import Json
 from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.program.values.table_arrays import gathered, indices
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.simulation.system import System

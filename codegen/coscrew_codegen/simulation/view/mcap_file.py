@@ -13,7 +13,7 @@ import numpy as np
 from foxglove import messages
 from foxglove.channels import FrameTransformsChannel, SceneUpdateChannel
 
-from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.simulation.view.body_shapes import DrawnPart
 from coscrew_codegen.simulation.view.page_runs import PageRun
 from coscrew_codegen.simulation.view.playback import Playback, unique_labels

@@ -1,14 +1,16 @@
-"""Arrays of numbers in a page: one compressed block, in which JSON refers to places.
+"""Data of a page: JSON, and its arrays in one compressed block, in which JSON refers to places.
 
 The bytes of an array stand in planes, the first byte of every number, then the second ones, since
 neighbours in a plane are alike and compress to about half."""
 
 import base64
+import json
 import zlib
 
 import numpy as np
+from markupsafe import Markup
 
-from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.json_values import Json, finite
 
 KINDS = ("f8", "f4", "u2", "i2", "i4")
 
@@ -35,3 +37,9 @@ class NumberBlock:
 def compressed(content: bytes) -> str:
     """The content, deflated, in base64."""
     return base64.b64encode(zlib.compress(content, 9)).decode()
+
+
+def embedded(data: Json) -> Markup:
+    """JSON that is safe in a script element: without `<`, and without bare NaN or Infinity."""
+    text = json.dumps(finite(data), allow_nan=False, separators=(",", ":"))
+    return Markup(text.replace("<", "\\u003c"))

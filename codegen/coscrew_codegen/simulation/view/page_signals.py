@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.scene.effect import FIRST, SECOND
 from coscrew_codegen.scene.mechanism.loop import ROD
 from coscrew_codegen.scene.mechanism.model import WORLD

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.backends.html.pages import Json, embedded
 from coscrew_codegen.backends.render import TEMPLATES, render
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System
@@ -18,7 +18,7 @@ from coscrew_codegen.simulation.view import page_signals
 from coscrew_codegen.simulation.view.body_shapes import DrawnPart, RobotDrawing
 from coscrew_codegen.simulation.view.ground_shape import ground_of
 from coscrew_codegen.simulation.view.mesh_files import Piece
-from coscrew_codegen.simulation.view.page_block import NumberBlock, compressed
+from coscrew_codegen.simulation.view.page_block import NumberBlock, compressed, embedded
 from coscrew_codegen.simulation.view.page_runs import PageRun
 from coscrew_codegen.simulation.view.part_places import numbers_of
 from coscrew_codegen.simulation.view.playback import Playback, playback, up_of

@@ -61,8 +61,8 @@ def bounds(axes: Axes, rows: Sequence[CoreCost], where: str, named: bool = True)
 
 
 def _bound(x: CoreCost, unit: str, where: str, named: bool) -> plots.Mark:
-    low, middle, high = (x.instructions.get(where, math.nan),) * 3 if where else (
-        (x.time.low, x.time.median, x.time.high) if x.time else (math.nan,) * 3)
+    middle, low, high = (x.instructions.get(where, math.nan),) * 3 if where else (
+        x.time.numbers() if x.time else (math.nan,) * 3)
     word, bound = ("largest", x.returned[unit]) if unit in x.returned else (
         "proved", x.bounds[unit])
     worst, words = x.worst.get(unit, 0.0), in_unit(bound, unit)
@@ -115,8 +115,8 @@ def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0,
 def _mark(x: FunctionErrors, number: int, hollow: bool, ring: bool) -> plots.Mark:
     e, worst = x.errors[number], shown(x, number)
     return plots.Mark(
-        f"{x.function} {x.name}", x.time.median, x.time.low, x.time.high, worst,
-        plots.COLOURS[x.tier], BY_NAME[x.precision].marker, hollow, ring,
+        f"{x.function} {x.name}", *x.time.numbers(), worst, plots.COLOURS[x.tier],
+        BY_NAME[x.precision].marker, hollow, ring,
         in_unit(worst, e.unit) if 0 < worst < math.inf else "", foot=e.typical, title=(
             f"{x.name}: {'bound' if e.bounds else 'error'} {in_unit(worst, e.unit)}, typically an "
             f"error of {in_unit(e.typical, e.unit)}, {three_digits(x.time.median)} ns"))
@@ -146,8 +146,8 @@ def _ends(axes: Axes, costs: Costs) -> None:
     names = tuple(dict.fromkeys(x.integrator for x in costs.points))
     for (i, name), precision in product(enumerate(names), PRECISIONS):
         marks = [plots.Mark(
-            f"{name} {precision.name} {x.error:g}", 1e6 * x.time.median, 1e6 * x.time.low,
-            1e6 * x.time.high, x.error, f"C{i}", _MARKERS[i % len(_MARKERS)], not costs.known(x))
+            f"{name} {precision.name} {x.error:g}", *x.time.numbers(1e6), x.error, f"C{i}",
+            _MARKERS[i % len(_MARKERS)], not costs.known(x))
             for x in costs.points if (x.integrator, x.precision) == (name, precision.name)
             and 0 < x.error < math.inf]
         if marks:

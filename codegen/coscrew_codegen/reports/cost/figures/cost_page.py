@@ -8,6 +8,7 @@ from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.backends import version
 from coscrew_codegen.backends.html.pages import Chapter, Page, Table, with_interval
 from coscrew_codegen.program.values.digits import three_digits
+from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.reports.cost.cost_measurement import Costs, Row
 from coscrew_codegen.reports.cost.effect_ablation import SHOWN, WHOLE
 from coscrew_codegen.reports.cost.figures import cost_figure
@@ -21,7 +22,6 @@ from coscrew_codegen.reports.cost.needs import core_costs, need_table
 from coscrew_codegen.reports.cost.recommendations import AFFORDABLE, better, recommended, sentences
 from coscrew_codegen.reports.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.reports.cost.run_errors import RunErrors
-from coscrew_codegen.reports.cost.work_precision import Point
 from coscrew_codegen.reports.processor import processor, system
 from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
@@ -29,11 +29,9 @@ from coscrew_codegen.simulation.result_units import in_unit, written
 
 _FUNCTIONS = ("Down is more accurate, left is faster. Marks show the worst error found, those of "
               "certified functions the largest bound; lines start at the typical error. A ring is "
-              "around the choice that is recommended. Hollow: another choice is better, that is "
-              "faster, with disjoint intervals, and at least as accurate (certified functions are "
-              "compared with certified ones).")
+              "around the choice that is recommended. Hollow: another choice is better.")
 _RUNS = ("Errors of a run, told apart: what each precision and tier rounds, what a shorter step "
-         "changes, what effects contribute. Crosses: no digit is right from there on.")
+         "changes, what effects contribute.")
 _ABOUT = (
     f"Errors against {DIGITS} digits, the model's decimals being exact: at states of the run, "
     "between the limits of the joints, and at the worst of a search there; of the component with "
@@ -143,24 +141,23 @@ def _ratio(x: float) -> str:
 def others(costs: Costs) -> Iterator[Table]:
     """Tables of operations, effects and runs, as far as they were measured: for each of the SHOWN
     functions its cost in each part that has other operations, and the savings."""
-    whole = [x for x in costs.rows if x.part == WHOLE]
-    if whole:
-        yield Table((WHOLE, "flops", "double, ns", "single, ns", "operations"),
-                    tuple((x.function, *_cost(x), x.words) for x in whole))
+    if whole := [x for x in costs.rows if x.part == WHOLE]:
+        yield Table.of({WHOLE: x.function, **_cost(x), "operations": x.words} for x in whole)
     for first in (x for name in SHOWN for x in whole if x.function == name):
         parts = [x for x in costs.rows if x.function == first.function
                  and (x is first or x.words != first.words)]
         if len(parts) > 1:
-            yield Table((first.function, "flops", "double, ns", "single, ns", "flops saved"), tuple(
-                (x.part, *_cost(x), str(first.flops - x.flops or "")) for x in parts))
+            yield Table.of({first.function: x.part, **_cost(x),
+                            "flops saved": str(first.flops - x.flops or "")} for x in parts)
     if costs.runs:
         yield _ends(costs)
     if costs.run_errors:
         yield of_run(costs.run_errors)
 
 
-def _cost(x: Row) -> tuple[str, ...]:
-    return str(x.flops), *map(_in_words, x.times)
+def _cost(x: Row) -> dict[str, str]:
+    return {"flops": str(x.flops), **{f"{precision.name}, ns": _in_words(time) for precision, time
+                                      in zip(PRECISIONS, x.times, strict=True)}}
 
 
 def _ends(costs: Costs) -> Table:
@@ -172,17 +169,11 @@ def _ends(costs: Costs) -> Table:
     return Table(_ENDS, tuple(
         (x.integrator, x.precision, three_digits(x.step), str(x.steps), _in_words(x.time, 1e6),
          three_digits(x.error) if math.isfinite(x.error) else "unstable",
-         "<" if not costs.known(x) else "*" if best(x, costs) else "") for x in costs.points), (
+         "<" if not costs.known(x) else "*" if costs.best(x) else "") for x in costs.points), (
              *_MARKS, f"Error of the coordinates at t = {truth.t:g} s against time; the reference "
              f"is {truth.words}, good to about {truth.error:.1g}. Steps of emitted integrators, in "
              "C; tolerances of SciPy's, in Python. Times: median (from low to high: in C a 95 % "
              "interval; in Python the shortest and the longest)."))
-
-
-def best(point: Point, costs: Costs) -> bool:
-    """Returns whether no other run is faster, with disjoint intervals, and at least as accurate."""
-    return math.isfinite(point.error) and not any(
-        x.time.below(point.time) and x.error <= point.error for x in costs.points)
 
 
 def of_run(errors: RunErrors) -> Table:
@@ -207,8 +198,7 @@ def _compared(errors: RunErrors) -> Iterator[str]:
         if x.cause != "rounding" or not x.of.endswith(f" {PLAIN.name}"):
             continue
         gone = [y.gone for y in (x, step) if y.gone is not None]
-        left = [n for n, t in enumerate(errors.times) if t < min(gone, default=math.inf)]
-        if left:
+        if left := [n for n, t in enumerate(errors.times) if t < min(gone, default=math.inf)]:
             until = f"until t = {errors.times[left[-1]]:.4g} s " if gone else ""
             rounding, of_step = (max(y.errors[n] for n in left) for y in (x, step))
             yield (f"In {x.of.split()[0]} precision {until}rounding moves the run by at most "
@@ -217,4 +207,4 @@ def _compared(errors: RunErrors) -> Iterator[str]:
 
 
 def _in_words(time: Interval, scale: float = 1) -> str:
-    return with_interval(*(scale * x for x in (time.median, time.low, time.high)))
+    return with_interval(*time.numbers(scale))

@@ -29,6 +29,7 @@ from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
+from coscrew_codegen.scene.readers.mjcf.mjcf_flags import obey_flags
 from coscrew_codegen.scene.readers.mjcf.mjcf_laws import laws
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import loops
@@ -94,12 +95,7 @@ def _compiled(source: ModelSource) -> "mujoco.MjModel":
     except ValueError as error:
         raise SceneError(source.path, "", f"MuJoCo says: {' '.join(str(error).split())[:300]}"
                          ) from None
-    off, bits = model.opt.disableflags, mujoco.mjtDisableBit
-    for bit, numbers in ((bits.mjDSBL_SPRING, model.jnt_stiffness),
-                         (bits.mjDSBL_DAMPER, model.dof_damping),
-                         (bits.mjDSBL_EQUALITY, model.eq_active0)):
-        if off & int(bit):
-            numbers[:] = 0
+    obey_flags(model)
     return model
 
 
@@ -144,17 +140,17 @@ def _joint(model: "mujoco.MjModel", names: MjcfNames, j: int, parent: str, child
     if kind in (FREE, SPHERICAL):
         return Joint(name, kind, parent, child, at, upper=upper, damping=damping or None,
                      friction=friction or None)
-    effort = exact(model.jnt_actfrcrange[j])[1] if model.jnt_actfrclimited[j] else None
+    least, most = exact(model.jnt_actfrcrange[j]) if model.jnt_actfrclimited[j] else (None, None)
     return Joint(name, kind, parent, child, at, rotations.unit(exact(model.jnt_axis[j])),
-                 lower, upper, effort if effort and effort > 0 else None,
+                 lower, upper, most if most and least == -most else None,
                  damping=damping or None, friction=friction or None,
                  mimic=followers(model, names).get(name))
 
 
 def _inertia(model: "mujoco.MjModel", number: int) -> Inertia | None:
-    """The inertia; None of a body without mass."""
+    """The inertia; None of a body with neither mass nor moments."""
     mass, = exact([model.body_mass[number]])
-    if not mass:
+    if not mass and not model.body_inertia[number].any():
         return None
     turn = _placement(model.body_ipos[number], model.body_iquat[number])
     moments = (*exact(model.body_inertia[number]), *_NOWHERE)

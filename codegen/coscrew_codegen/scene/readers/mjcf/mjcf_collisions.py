@@ -15,9 +15,15 @@ if TYPE_CHECKING:
 
 def collisions(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals) -> Iterator[Collision]:
     """The shapes, in the order of the geoms."""
-    for g in range(model.ngeom):
-        if model.geom_contype[g] or model.geom_conaffinity[g]:
-            yield _collision(model, names, seen, g)
+    for g in touching(model):
+        yield _collision(model, names, seen, g)
+
+
+def touching(model: "mujoco.MjModel") -> list[int]:
+    """The geoms that may touch others: by their bits, or in a <pair>."""
+    paired = {*map(int, model.pair_geom1), *map(int, model.pair_geom2)}
+    return [g for g in range(model.ngeom)
+            if model.geom_contype[g] or model.geom_conaffinity[g] or g in paired]
 
 
 def _collision(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals, geom: int

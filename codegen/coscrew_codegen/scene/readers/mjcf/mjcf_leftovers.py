@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.notices import COLLISION, Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators, unkept_rotors
+from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import touching
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import following
 from coscrew_codegen.scene.readers.mjcf.mjcf_laws import lawful
 from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closings, idle
@@ -98,8 +99,13 @@ def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
         elif idle(model, e):
             yield Notice(_OTHER, f"equality {e}", f"equality {model.equality(e).name or e!r}: "
                          "holds bodies that cannot move against each other, and is not used")
-    count = int(((model.geom_contype != 0) | (model.geom_conaffinity != 0)).sum())
-    if count:
+    yield from _unlike_efforts(model, names)
+    for i in range(model.npair):
+        pair = " and ".join(model.geom(int(g)).name or f"geom {g}"
+                            for g in (model.pair_geom1[i], model.pair_geom2[i]))
+        yield Notice(_OTHER, "model", f"pair of {pair}: its friction and stiffness are not used; "
+                     "[effects.contact_pair.LABEL] lets two bodies touch")
+    if count := len(touching(model)):
         remedy = "add [effects.contact] with mu"
         yield Notice(COLLISION, "model", f"{count} geom{'s' * (count > 1)} may touch others in "
                      f"MuJoCo, and nothing here: {remedy}", remedy, ("contact", ""))
@@ -107,3 +113,15 @@ def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
         keys = [model.key(k).name or str(k) for k in range(model.nkey)]
         yield Notice(_OTHER, "model", f"keyframe{'s' * (len(keys) > 1)} {', '.join(keys[:_MANY])}"
                      f"{', …' * (len(keys) > _MANY)}: not used; [start.q] of a scene sets a start")
+
+
+def _unlike_efforts(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
+    """Yields notices of ranges of actuators' forces that are no effort of a joint: of tendons, and
+    of joints where they are not the same in both directions."""
+    held = [(f"joint {names.joint(j)}", model.jnt_actfrcrange[j]) for j in range(model.njnt)
+            if model.jnt_actfrclimited[j] and sum(model.jnt_actfrcrange[j])]
+    held += [(f"tendon {names.tendon(t)}", model.tendon_actfrcrange[t])
+             for t in range(model.ntendon) if model.tendon_actfrclimited[t]]
+    for element, (low, high) in held:
+        yield Notice(_OTHER, element, f"{element}: what its actuators exert is held between "
+                     f"{low:g} and {high:g} in MuJoCo, and not here")

@@ -107,10 +107,13 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
 
 
 def _unwritten(path: Path, model: Model) -> Iterator[str]:
-    """The comment on collision shapes, which have no tables."""
-    if count := len(model.collisions):
-        shapes = f"{count} collision shape{'s are' if count > 1 else ' is'}"
-        yield f'{shapes} not written: a scene with model = "{path.name}" has them'
+    """The comment on shapes, which have no tables."""
+    seen = sum(len(x.visuals) for x in model.bodies)
+    counts = {"visual": seen, "collision": len(model.collisions)}
+    if words := [f"{count} {kind}" for kind, count in counts.items() if count]:
+        one = sum(counts.values()) == 1
+        yield (f"{' and '.join(words)} shape{' is' if one else 's are'} not written: a scene with "
+               f'model = "{path.name}" has {"it" if one else "them"}')
 
 
 def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides

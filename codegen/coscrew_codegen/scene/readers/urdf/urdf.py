@@ -10,6 +10,7 @@ from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import Body, Inertia
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
+from coscrew_codegen.scene.readers.urdf.urdf_gazebo import of_gazebo
 from coscrew_codegen.scene.readers.urdf.urdf_joints import Joints
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MIRRORED, MOMENTS
 from coscrew_codegen.scene.readers.urdf.urdf_shapes import shapes_of
@@ -38,7 +39,8 @@ class _Urdf(Joints):
         return Parts(name, bodies, moves, {x: f"line {line}" for x, line in lines.items()},
                      {joint.attributes["name"]: f"line {mimic.line}" for joint in joints
                       for mimic in joint.all("mimic")[:1]},
-                     implausible=tuple(self.lacking), notices=tuple(self.notices),
+                     implausible=tuple(self.lacking),
+                     notices=(*self.notices, *of_gazebo(self.root)),
                      collisions=tuple(
                          x for link in links for x in self.shapes.collisions(
                              link, link.attributes.get("name", ""))))

@@ -15,11 +15,11 @@ from coscrew_codegen.scene.readers.xml_files.xml import Element
 VERSIONS = ("1.0", "1.1", "1.2")
 QUATERNION = "quat_xyzw"
 
-IGNORED = frozenset({"gazebo", "transmission"})
+IGNORED = frozenset({"transmission"})
 """Elements without influence on the dynamics, which are not read."""
-SEEN = frozenset({"visual", "material", "collision"})
-"""Shapes of links and their colours, without influence on the dynamics either; they are checked
-where they are read."""
+SEEN = frozenset({"visual", "material", "collision", "gazebo"})
+"""Shapes of links and their colours, and Gazebo's own elements; they are checked where they are
+read."""
 
 CHILDREN: Mapping[str, tuple[str, ...]] = {
     "robot": ("link", "joint"), "link": ("inertial",), "inertial": ("origin", "mass", "inertia"),

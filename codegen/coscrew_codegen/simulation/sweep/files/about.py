@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from hashlib import sha256
 from pathlib import Path
 
-from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.simulation.sweep.files.part import DamagedError, read_bytes
 
 ABOUT = "sweep.json"

@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.program.values.json_values import Json
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.files.about import (
     ABOUT,

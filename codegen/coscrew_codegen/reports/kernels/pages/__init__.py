@@ -1,1 +1,0 @@
-"""Page, Markdown and figures of a report of kernels."""
