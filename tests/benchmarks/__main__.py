@@ -11,7 +11,7 @@ from tests.benchmarks.bars import FILE, ROOT, Bar, machine, summary, table, writ
 NAMES = ("header_kernels", "many_elements", "gufuncs", "tiers", "scene_tiers", "scene_calls",
          "scene_lanes", "dynamics", "derivative_times", "many_states", "mujoco_steps",
          "mujoco_contacts", "python_calls", "controllers", "arrays", "sweeps", "cortex_m4",
-         "rounding_statements", "fixed_point", "accuracy")
+         "rounding_statements", "range_proofs", "fixed_point", "accuracy")
 
 
 def main() -> None:

@@ -9,6 +9,7 @@ from PIL import Image
 from scipy.interpolate import CubicHermiteSpline
 
 from coscrew_codegen import load_scene, run
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.scene.contacts.height_grid import HeightGrid
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
@@ -158,3 +159,13 @@ def test_what_is_no_image_or_too_small_is_refused(tmp_path: Path) -> None:
     Image.fromarray(np.zeros((1, 5), np.uint8)).save(tmp_path / "ground.png")
     with pytest.raises(SceneError, match="has 5 × 1 points"):
         read_scene(path)
+
+
+def test_stated_ranges_prove_nothing_of_heights_and_say_so(tmp_path: Path):
+    """Bodies' poses do not depend on heights: what does not depend on places is proved."""
+    path = scene(tmp_path, csv(np.zeros((7, 9))), "[ranges]\nv = 1\n")
+    functions = derive(read_scene(path))
+    assert functions.named("energy").rounding.endswith(
+        "Nothing is proved of other components of e: it calls functions beyond sines and cosines, "
+        "or chooses.")
+    assert functions.named("body_poses").rounding.startswith("Proved for every q")
