@@ -164,7 +164,7 @@ class Way:
         the allowed one and rounding explains it, and a run in double precision comes elsewhere."""
         losses = self._lost
         if any(coarse.any() for *_, coarse in self._coarse(allowed, losses)):
-            losses = np.clip(losses, -self._missed, self._missed)
+            losses = np.where(self._missed > allowed * _SEEN, losses, 0)
         results: dict[tuple[int, ...], tuple[str, float, float]] = {}
         for joint, place, lost, way, coarse in self._coarse(allowed, losses):
             for i in map(tuple, np.argwhere(coarse).tolist()):
