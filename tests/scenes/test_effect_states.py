@@ -41,13 +41,14 @@ def test_it_holds_a_load_for_ever_whatever_shakes_it(scene, precision, most):
 
 
 def test_a_block_stops_where_its_energy_is_spent(scene):
-    """m v²/(2 tau_c), less what the bristles yield."""
+    """m v²/(2 tau_c), less what the bristles yield.  A velocity is left that moves q by less than
+    its rounding in a step."""
     text = SLIDER.replace("3 + 1.9*sin(20*pi*t)", "0*t").replace("tau_s = 5\n", "")
     result = run(scene("[start.v]\nslide = 2\n", text), until=2)
     way, mass = result.q[-1, 0], 2
     assert abs(way - mass * 2**2 / (2 * 4)) < 1e-4
-    assert result.v[-1, 0] == 0 or abs(result.v[-1, 0]) < 1e-15
-    assert result.q[-1, 0] == pytest.approx(result.q[-50, 0], abs=1e-15)
+    assert abs(result.v[-1, 0]) * 1e-3 < np.spacing(way)
+    assert way == result.q[-50, 0]
 
 
 def test_friction_is_the_level_while_it_slides(scene):
