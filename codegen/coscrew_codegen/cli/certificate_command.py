@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from coscrew_codegen.program.scene_functions import FunctionProgram
     from coscrew_codegen.program.values.formats import Precision
 
-CHECKER, LENGTH_CHECKER, PAIR_CHECKER, FIXED_CHECKER = (
-    f"check_{x}.py" for x in ("bounds", "lengths", "pairs", "fixed"))
+CHECKER, LENGTH_CHECKER = "check_bounds.py", "check_lengths.py"
+PAIR_CHECKER, FIXED_CHECKER = "check_pairs.py", "check_fixed.py"
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
