@@ -124,7 +124,7 @@ def test_friction_that_gives_energy_back_is_false(tmp_path: Path) -> None:
     wrong = replace(kernels, double=SimpleNamespace(**{**own, "bristles": bristles}))
     findings = check(wrong, RunOverrides(precision="double"))
     assert not findings.passed
-    assert re.search("contacts or sticking joints give back .* J of what they", table(findings))
+    assert re.search("contacts or sticking joints return .* J of the energy", table(findings))
 
 
 class Touching:

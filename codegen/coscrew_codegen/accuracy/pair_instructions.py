@@ -1,8 +1,8 @@
 """Bounds of the instructions of pairs hi + lo, one by one.
 
-Of each number x the following is known: a bound of its size; a bound of what its rounding loses,
-'x = exact - x; and a polynomial in earlier numbers and such losses that it equals.  In these
-polynomials what hi loses and lo restores cancels, so that a pair's error is what remains.
+Each number x has three properties: a bound of its size, a bound of its rounding error 'x = exact -
+x, and a polynomial in earlier numbers and rounding errors that equals x.  The rounding error of hi
+and its correction in lo cancel in these polynomials; the error of a pair is the rest.
 
     a ± b    at most the size of a or of b is lost, as both are numbers; nothing of the differences
              of Two-Sum (Knuth, Shewchuk), and of a sum whose exact value is what another sum lost
@@ -81,7 +81,7 @@ class PairInstructions:
 
     def add_instruction(self, op: Op, name: str, operands: Sequence[str], least: Fraction,
                         inside: Callable[[Polynomial], Fraction] | None) -> tuple[float, float]:
-        """Adds an instruction; returns bounds of its result's size and of what its rounding loses.
+        """Adds an instruction; returns bounds of the size and the rounding error of its result.
         `least` bounds a divisor from below; `inside` bounds a polynomial by its distance from a
         value of known size."""
         for x in operands:

@@ -203,7 +203,7 @@ class VectorLengths:
 
 
 def _moved(by: Length, of: Length) -> Upward:
-    """Bounds the error of a turn, given the lengths of its sine and cosine and of what it turns."""
+    """Bounds the error of a turn: `by` is the length of (sine, cosine), `of` that of the vector."""
     return by.size * of.error + by.error * (of.size + of.error)
 
 

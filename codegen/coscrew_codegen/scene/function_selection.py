@@ -38,7 +38,7 @@ CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 ALL_CONTACTS = contacts.FUNCTION.name
 """Points, forces and depths of all contacts of bodies."""
 BRISTLES = bristles.FUNCTION.name
-"""What bristles store, and the power of their effects."""
+"""The function of the energy that bristles store and of their power."""
 CARRIED = carried_half_drift.FUNCTION.name
 """The function by which steps move free bases that touch the ground."""
 STATE_RATES, SWITCHES = OF_STATES = (state_rates.FUNCTION.name, law_switches.FUNCTION.name)

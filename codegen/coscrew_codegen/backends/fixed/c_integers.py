@@ -40,7 +40,7 @@ class _Integers(Precision):
 INTEGERS = _Integers(31, 0, "fixed", "int32_t", "", "int32", 4)
 """The type of values, and the ending of the names of functions on them."""
 IN_LANES = replace(INTEGERS, c_type="ksl_states_fixed", lanes="_lanes")
-"""The same of vectors with an integer of each of several states."""
+"""Integers of several states in one vector."""
 
 
 def body(program: Program, access: Callable[[Input], str], targets: Sequence[str],

@@ -59,9 +59,9 @@ class ColumnLoop:
 
     def lines(self, precision: Precision, read: Callable[[Input], str],
               stored: Callable[[str, str], Iterable[tuple[str, str]]]) -> Iterator[str]:
-        """The loop, between copies of what no other part stores in the array and the stores of its
-        results.  `read` gives the text of an element of the part's inputs, `stored` the targets of
-        a value, by its name, and texts, by its own."""
+        """Statements that copy into the array what no other part stores there, the loop, and
+        statements that store its results.  `read` gives the text of an element of the part's
+        inputs, `stored` the targets of a value, by its name, and texts, by its own."""
         program = self.plan.program
         own = f"{self.group.name}->{self.array}"
         yield from in_lines(

@@ -194,8 +194,8 @@ def _false(along: AlongRun) -> str:
     if along.contacts and (sunk := along.contacts.through):
         return sinks(sunk.name, sunk.at)
     if along.bristles and not along.bristles.passed:
-        return (f"contacts or sticking joints give back {along.bristles.returned:.2g} J of what "
-                f"they dissipated by t = {along.bristles.at:.4g} s, allowed is "
+        return (f"contacts or sticking joints return {along.bristles.returned:.2g} J of the "
+                f"energy dissipated by t = {along.bristles.at:.4g} s, allowed is "
                 f"{along.bristles.allowed:.2g} J: take a smaller step")
     if along.contacts and not along.contacts.passed:
         return (f"a contact pulls at t = {along.contacts.pulls_at:.4g} s, by "
