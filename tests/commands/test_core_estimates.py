@@ -16,13 +16,13 @@ from tests.benchmarks import core_counts
 def test_every_count_is_met_within_a_tenth():
     """In every number format, on every core, of arms and of pendulums."""
     counts = core_counts.committed()
-    assert len(counts) == 429 and {x.robot for x in counts} == set(core_counts.ROBOTS)
+    assert len(counts) == 888 and {x.robot for x in counts} == set(core_counts.ROBOTS)
     assert {x.core for x in counts} == set(CORES)
     assert {x.words for x in counts} == {
         "double", "single", "double accurate", "single accurate", "double certified",
         "single certified", "single pairs", "fixed", "fixed (high)"}
     errors = [core_counts.error(x, core_estimates.INSTRUCTIONS) for x in counts]
-    assert max(map(abs, errors)) < 0.085
+    assert max(map(abs, errors)) < 0.095
     assert all(abs(x.operations.on(x.core) / x.count - 1) < 0.1 for x in counts if x.count > 250)
 
 
@@ -36,11 +36,11 @@ def test_no_other_numbers_meet_the_counts_better():
         assert ours == pytest.approx(best, rel=0.02), key
 
 
-def test_a_robot_that_is_left_out_is_met_within_an_eighth():
+def test_a_robot_that_is_left_out_is_met_within_a_ninth():
     counts = core_counts.committed()
     table = core_counts.fitted([x for x in counts if x.robot != "ur5"])
     errors = [core_counts.error(x, table) for x in counts if x.robot == "ur5"]
-    assert len(errors) == 54 and max(map(abs, errors)) < 0.125
+    assert len(errors) == 162 and max(map(abs, errors)) < 0.107
 
 
 def test_few_instructions_are_not_estimated():
