@@ -78,7 +78,7 @@ def values(head, steps):  # of a value: size, error, size as computed, least siz
             own = F(0)
         least = F(999, 1000) * (form[2:] == (True, True) and len(form[1]) == 4)
         full = near(before, u, eta, F.__ceil__)
-        assert r >= own * (not pairs) and full * eta < 2 * u * (1 - u), f"rounding of {name}"
+        assert r >= own * (not pairs) and full * eta <= 4 * u * (1 - u), f"rounding of {name}"
         assert e - r >= moved or gap >= 0 and gap**2 >= p[3]**2 + q[3]**2, f"error of {name}"
         assert s >= min([size] + [F(1001, 2000) * (1 + x) for x in form[2:3]]), f"size of {name}"
         known[name] = s, e, full, least, turn, form
@@ -150,8 +150,9 @@ def pairs(head, steps):  # of a number x: size, polynomial; 'x is what rounding 
         return h
     def turned(op, a, b=None):  # of the sum of one or two numbers
         if b is None:
+            size[f"{op} {a}"] = min([size[a], F(1)][op == "cos":])
             return {(f"{op} {a}",): 1}
-        x, y = ({(f"{z} {a}",): 1} for z in (("sin", "cos") if op == "sin" else ("cos", "sin")))
+        x, y = (turned(z, a) for z in (("sin", "cos") if op == "sin" else ("cos", "sin")))
         return plus(times(x, turned("cos", b)), times(y, turned("sin", b)), 1 - 2 * (op == "cos"))
     apply = {"add": plus, "sub": lambda f, g: plus(f, g, -1), "neg": lambda f, _: plus({}, f, -1),
              "mul": times, "div": lambda f, _: f, "copy": lambda f, _: f}
@@ -211,7 +212,7 @@ def pairs(head, steps):  # of a number x: size, polynomial; 'x is what rounding 
                 lost = min(lost, size[a], size[c]) * (frozenset(f.items()) not in exact)
             need = F(1) if op in ("sin", "cos") else near(top, u, eta, F.__ceil__)
             need = top + lost if "_" in op else min(top + lost, need)
-            assert q >= lost and e >= need and e * eta < 2 * u * (1 - u), name
+            assert q >= lost and e >= need and e * eta <= 4 * u * (1 - u), name
             size[name], size["'" + name], r, sign = e, q, {("'" + name,): 1}, 1 - 2 * (op == "sub")
             form[name] = plus(f, r, -1 if q else 0)
             products |= {("'" + name,)} if op == "mul" else set()

@@ -2,6 +2,7 @@
 checkers of our own rules, which need only fractions, read them."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
@@ -26,32 +27,47 @@ from coscrew_codegen.program.elementary.sincos_error import ERROR as SINCOS_ERRO
 from coscrew_codegen.program.fixed import fixed_sine
 from coscrew_codegen.program.fixed.fixed_program import FixedProgram
 from coscrew_codegen.program.fixed.fixed_value import FixedValue
-from coscrew_codegen.program.roundoff import RoundedRange
-from coscrew_codegen.program.scene_functions import FunctionProgram
-from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.roundoff import RoundedRange, Upward
+from coscrew_codegen.program.scene_functions import ArgumentRanges, FunctionProgram
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
 
 
-def certificate(function: FunctionProgram, precision: Precision) -> str:
+def certificate(function: FunctionProgram, precision: Precision, wide: bool = False) -> str:
     """The certificate of the plain function in a precision, for the results that have a bound; ""
-    if none has."""
-    its = values(function.program, function.ranges, precision, FloatRounding(precision))
+    if none has one.  A `wide` function computes in double, and rounds its results to the precision.
+    """
+    if wide:
+        function = replace(function, program=function.program.fine or function.program)
+    rule = FloatRounding(DOUBLE if wide else precision)
+    its = values(function.program, function.ranges, precision, rule)
     proved = [k for k, x in enumerate(its.results) if isfinite(x.size + x.error)]
     if not proved:
         return ""
-    return "\n".join(_lines(function, precision, its, proved)) + "\n"
+    its = values(function.program, _finite(function.ranges, precision), precision, rule)
+    lines = [*_head(function, precision, rule.precision), *_lines(function, its, proved)]
+    names, program = component_names(function.program), function.program
+    for k in proved:
+        name, x = _name(program.results[k], program), its.results[k]
+        if wide:
+            own = Upward(precision.u) * (x.size + x.error) + Upward(precision.eta)
+            lines.append(" ".join([precision.name, names[k], name, *_figures(x.rounded(own))]))
+        else:
+            lines.append(f"# {names[k]} is {name}")
+    return "\n".join(lines) + "\n"
 
 
-def _lines(function: FunctionProgram, precision: Precision, its: ValueBounds, proved: list[int]
-           ) -> Iterator[str]:
-    program = function.program
-    sine = SINCOS.error(precision)
-    yield f"# {function.name} in {precision.name} precision: for every value a line with its"
+def _head(function: FunctionProgram, precision: Precision, computed: Precision) -> Iterator[str]:
+    wide = "" if computed is precision else f", computed in {computed.name}"
+    yield f"# {function.name} in {precision.name} precision{wide}: for every value a line with its"
     yield "# operation, name, operands, largest size, largest error, largest error of its rounding."
     yield "# Before turns, lines of input_length have components of a vector, a rule, vectors that"
     yield "# it takes, and bounds of its length and its error's, of turns before rounding."
     yield "# First: digits and least exponent of the format; error of sine and cosine in ulps."
-    yield f"{precision.digits} {precision.least_exponent} {sine}"
-    groups = _groups(function)
+    yield f"{computed.digits} {computed.least_exponent} {SINCOS.error(computed)}"
+
+
+def _lines(function: FunctionProgram, its: ValueBounds, proved: list[int]) -> Iterator[str]:
+    program, groups = function.program, _groups(function)
     needed = _needed(program, [program.results[k] for k in proved], its)
     for x in sorted(x for x in needed if isinstance(x, Input)):
         yield " ".join(["input", _name(x, program), *groups.get(x, ()), *_figures(its.of(x))])
@@ -64,14 +80,11 @@ def _lines(function: FunctionProgram, precision: Precision, its: ValueBounds, pr
             yield " ".join([step.op.value, step.name, *(_name(x, program) for x in step.operands),
                             *([f"{step.name},"] if lengths else ()),
                             *_figures(its.by_name[step.name])])
-    names = component_names(program)
-    for k in proved:
-        yield f"# {names[k]} is {_name(program.results[k], program)}"
 
 
 def of_tier(function: FunctionProgram, tier: Tier, precision: Precision) -> str:
-    """The certificate of the function in a tier whose values are pairs, for the results that have a
-    bound; "" if none has one, or for other tiers."""
+    """The certificate of the function in a tier that is proved otherwise than the plain one, for
+    the results that have a bound; "" if none has one."""
     if tier.on_request:
         if not (function.accuracy and function.accuracy.stated):
             return ""
@@ -79,6 +92,8 @@ def of_tier(function: FunctionProgram, tier: Tier, precision: Precision) -> str:
             chosen,  # imported on use: few scenes need it
         )
         return of_pairs(function, precision, chosen(function.program, function.accuracy).mixture)
+    if precision in tier.widened:
+        return certificate(function, precision, wide=True)
     return of_pairs(function, precision) if precision in tier.pairs else ""
 
 
@@ -98,9 +113,19 @@ def of_pairs(function: FunctionProgram, precision: Precision, mixture: Mixture |
 
     emitted = mixed(plain, mixture, carrier) if mixture else in_pairs(plain, precision, carrier)
     rule = CertifiedPairs(precision, noted[0], emitted, proved, mixture)
-    rule.start(function.ranges.sizes(precision), _groups(function))
-    values(plain, function.ranges, precision, rule)
+    ranges = _finite(function.ranges, precision)
+    rule.start(ranges.sizes(precision), _groups(function))
+    values(plain, ranges, precision, rule)
     return "\n".join((*_pair_header(function, precision), *rule.lines)) + "\n"
+
+
+def _finite(ranges: ArgumentRanges | None, precision: Precision) -> ArgumentRanges:
+    """The ranges; where none is stated, all numbers of the precision."""
+    assert ranges
+    most = float(precision.limit("max"))
+    return replace(ranges, intervals=tuple(tuple((max(low, -most), min(high, most))
+                                                 for low, high in each)
+                                           for each in ranges.intervals))
 
 
 def _pair_header(function: FunctionProgram, precision: Precision) -> Iterator[str]:

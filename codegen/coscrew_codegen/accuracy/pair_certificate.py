@@ -217,7 +217,13 @@ class CertifiedPairs(PairRounding):
             return plus(sums[0], sums[1], 1 if op is Op.ADD else -1)
         if op is Op.MUL:
             return self._numbers.times(*sums)
-        return of_angle_sum(op, [x for x, in sums[0]]) if op in CIRCULAR else sums[0]
+        if op not in CIRCULAR:
+            return sums[0]
+        angle = [x for x, in sums[0]]
+        for x in angle:
+            self._numbers.circular(Op.SIN, x)
+            self._numbers.circular(Op.COS, x)
+        return of_angle_sum(op, angle)
 
     def _error(self, numbers: Sequence[str], truth: Polynomial, divisor: Polynomial = ONE
                ) -> Fraction:

@@ -79,6 +79,12 @@ class PairInstructions:
         return sum((abs(x) * prod((self.sizes[y] for y in key), start=Fraction(1))
                     for key, x in f.items()), Fraction(0))
 
+    def circular(self, op: Op, x: str) -> Polynomial:
+        """The exact sine or cosine of a number, as a number of known size."""
+        word, one = f"{op.value} {x}", Fraction(1)
+        self.sizes[word] = one if op is Op.COS else min(self.sizes[x], one)
+        return monomial(word)
+
     def add_instruction(self, op: Op, name: str, operands: Sequence[str], least: Fraction,
                         inside: Callable[[Polynomial], Fraction] | None) -> tuple[float, float]:
         """Adds an instruction; returns bounds of the size and the rounding error of its result.
@@ -111,9 +117,7 @@ class PairInstructions:
         if op in (Op.PRODUCT_ERROR, Op.PRODUCT_REST):
             form = plus(self.times(f, self.forms[operands[1]]), g, -1)
         elif op in CIRCULAR or op in ERRORS:
-            word = f"{ERRORS.get(op, op).value} {a}"
-            self.sizes[word] = Fraction(1) if word[0] == "c" else min(self.sizes[a], Fraction(1))
-            form = plus(monomial(word), g if op in ERRORS else {}, -1)
+            form = plus(self.circular(ERRORS.get(op, op), a), g if op in ERRORS else {}, -1)
         elif op is Op.NEG:
             form = plus({}, f, -1)
         else:

@@ -98,7 +98,7 @@ def _has(program: Program) -> bool:
 TIER = Tier(
     "accurate", 2, "Accurate tier: double compensated, single computed in double.",
     ("#c2570c", "#f5a04d"), _made, has=_has, operation=accurate_operation, scene=of_scene,
-    header="ksl_exact", proof=of_accurate, pairs=(DOUBLE,),
+    header="ksl_exact", proof=of_accurate, pairs=(DOUBLE,), widened=(SINGLE,),
     promise="""\
 A component is within one unit of its last digit as long as its condition is below 1e13; in single
 precision it is the nearest number, except near ties, as long as that is below 1e5.  Measured, not

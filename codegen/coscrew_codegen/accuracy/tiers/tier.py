@@ -59,6 +59,7 @@ class Tier:
     # bounds of a scene's function over its stated ranges; None: without proof
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     pairs: tuple[Precision, ...] = ()  # in which scenes' values are pairs hi + lo
+    widened: tuple[Precision, ...] = ()  # in which scenes compute in double, and round at the end
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words
     in_words: str = ""  # docstring of its Python package
