@@ -150,5 +150,15 @@ def test_every_bound_of_a_comment_is_certified(kind, tmp_path):
     assert tiers >= {*TIERS} - ({"_fixed", "_fixed_high"} if kind in FLOATING else set())
 
 
+@pytest.mark.parametrize("box", ("q = 0\nv = 0\na = 0", "v = 1e30\na = 1e30", "q = 400\nv = 1",
+                                 "q = 1e-40\nv = 1e-20\na = 1"), ids=lambda x: x[:6])
+def test_bounds_over_points_huge_and_tiny_ranges_are_certified(box, tmp_path):
+    """Single precision overflows at 1e60, so that nothing is stated of torques there."""
+    path = tmp_path / "gimbal.toml"
+    text = GIMBAL.read_text("utf-8").replace('["fixed"]', '["fixed", "accurate", "pairs"]')
+    path.write_text(text.partition("[ranges]")[0] + f"[ranges]\n{box}\n", encoding="utf-8")
+    assert "_accurate" in certify(path, tmp_path)
+
+
 def test_every_bound_of_the_example_is_certified(tmp_path):
     assert certify(GIMBAL, tmp_path) == {"", "_fixed", "_fixed_high"}

@@ -40,7 +40,9 @@ def certificate(function: FunctionProgram, precision: Precision, wide: bool = Fa
         function = replace(function, program=function.program.fine or function.program)
     rule = FloatRounding(DOUBLE if wide else precision)
     its = values(function.program, function.ranges, precision, rule)
-    proved = [k for k, x in enumerate(its.results) if isfinite(x.size + x.error)]
+    most = float(precision.limit("max"))
+    proved = [k for k, x in enumerate(its.results) if isfinite(x.size + x.error)
+              and (not wide or x.size + x.error <= most)]
     if not proved:
         return ""
     its = values(function.program, _finite(function.ranges, precision), precision, rule)

@@ -143,7 +143,7 @@ class PairInstructions:
 
     def _lost(self, op: Op, operands: Sequence[str], exact: bool, top: Fraction) -> Fraction:
         """Bounds what is lost of a value up to `top`."""
-        if exact or not top:
+        if exact:
             return Fraction(0)
         sizes = [self.sizes[x] for x in operands]
         if op in CIRCULAR or op in ERRORS:
@@ -154,7 +154,7 @@ class PairInstructions:
                 x[0] in "-0123456789" and y == _below(2 * y)
                 for x, y in zip(operands, sizes, strict=True)):
             return self.eta
-        half = max(self.u * _below(top), self.eta)
+        half = max(self.u * _below(top), self.eta) if top else Fraction(0)
         return min(half, *sizes) if op in SUMS else half
 
     def _most_computed(self, op: Op, operands: Sequence[str], otherwise: Fraction, top: Fraction

@@ -1,6 +1,7 @@
 """Proved bounds of the results of a scene's function in its tiers, for all arguments in the ranges
 that the scene states."""
 
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
@@ -46,9 +47,9 @@ def of_accurate(function: FunctionProgram, precision: Precision) -> ResultBounds
         return of_pairs(function, precision)
     program = function.program.fine or function.program
     inside = values(program, function.ranges, precision, FloatRounding(DOUBLE))
-    u, eta = Upward(precision.u), Upward(precision.eta)
-    return tuple(ResultBound(x.size, x.error + u * (x.size + x.error) + eta)
-                 for x in inside.results)
+    u, eta, most = Upward(precision.u), Upward(precision.eta), float(precision.limit("max"))
+    return tuple(ResultBound(x.size, x.error + u * (x.size + x.error) + eta
+                             if x.size + x.error <= most else inf) for x in inside.results)
 
 
 def of_pairs(function: FunctionProgram, precision: Precision) -> ResultBounds:
