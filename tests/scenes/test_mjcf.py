@@ -150,6 +150,15 @@ def test_what_no_scene_has_is_refused_or_left_out(read, group, more, old, new, e
     assert f"{element}: left out ({group})" in scene.unused
 
 
+def test_an_unnamed_free_joint_has_the_name_of_its_body(read):
+    """The name is that of `base = "free"` for other models; named joints keep theirs."""
+    text = ROBOT.replace("<FREE/>", "<freejoint/>").replace('name="wag"', "")
+    assert [x.name for x in read(text).model.joints if x.kind.moves] == [
+        "trunk", "roll", "pitch", "reach", "ankle", "bend", "swing", "joint7"]
+    names = [x.name for x in read(text.replace('"roll"', '"trunk"')).model.joints if x.kind.moves]
+    assert names[:2] == ["trunk_", "trunk"]
+
+
 def test_wind_without_a_fluid_pushes_nothing(read):
     """Wind makes no passive forces in MuJoCo without a density or viscosity."""
     text = FREE.replace("<worldbody>", '<option wind="30 0 0"/><worldbody>', 1)
