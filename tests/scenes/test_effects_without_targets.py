@@ -49,8 +49,8 @@ def test_all_with_numbers_means_joints_with_one_coordinate(refusal):
 
 
 SERIES = "".join(f'[bodies.b{x}]\nmass = 1\ninertia = [1, 1, 1]\n[joints.{x}]\ntype = "revolute"\n'
-                 f'child = "b{x}"\nparent = "{y}"\n' for x, y in (("p", "world"), ("q", "bp"),
-                                                                 ("r", "bq")))
+                 f'child = "b{x}"\nparent = "{y}"\naxis = [1, 0, 0]\n'
+                 for x, y in (("p", "world"), ("q", "bp"), ("r", "bq")))
 
 
 def test_all_means_joints_without_a_table_of_their_own(refusal, tmp_path):
