@@ -251,6 +251,16 @@ def test_difference_inverts_motion(scene: Scene) -> None:
                 assert abs(a - b) <= mpf(10)**-22 * size
 
 
+def test_all_of_a_scene_can_be_derived() -> None:
+    """A function of no inputs has neither tangent nor adjoint."""
+    scene = m.scene(m.pendulum(2, 1), m.gravity(0, 0, -10))
+    selected = resolved(scene, ("*_tangent", "*_adjoint"))
+    assert {"body_poses_tangent", "mass_matrix_adjoint"} <= selected
+    assert not {"linear_parameters_tangent", "base_parameters_adjoint"} & {*all_names(scene)}
+    derived = {f.name for f in derive(scene, selected).functions}
+    assert derived <= selected and {"body_poses_tangent", "mass_matrix_adjoint"} <= derived
+
+
 def test_they_are_selected_by_name_alone() -> None:
     """Neither `all` nor a pattern that matches other functions selects them."""
     scene = m.scene(m.pendulum(2, 1), m.gravity(0, 0, -10))
