@@ -38,7 +38,9 @@ def scene() -> Scene:
 
 WHOLE = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", "energy", "power",
          "momentum", "body_poses", "body_twists", "integrated", "difference", "gravity_torques",
-         "step_leapfrog", "step_linear_implicit_euler"]
+         "torque_regressor", "coriolis_matrix", "energy_gradients", "centroidal_momentum_matrix",
+         "centroidal_momentum_rate", "center_of_mass", "center_of_mass_velocity",
+         "center_of_mass_jacobian", "chart", "step_leapfrog", "step_linear_implicit_euler"]
 
 
 @pytest.mark.parametrize("name", WHOLE)
@@ -46,7 +48,10 @@ def test_they_are_differences_in_50_digits(scene: Scene, name: str) -> None:
     check(scene, entry(scene, name))
 
 
-@pytest.mark.parametrize("stem", ["jacobian_", "acceleration_", "effect_"])
+@pytest.mark.parametrize("stem", [
+    "jacobian_", "point_jacobian_", "aligned_jacobian_", "aligned_point_jacobian_",
+    "world_jacobian_", "acceleration_", "twist_rate_", "point_twist_rate_", "aligned_twist_rate_",
+    "aligned_point_twist_rate_", "world_twist_rate_", "reaction_", "effect_"])
 def test_of_members_of_families(scene: Scene, stem: str) -> None:
     check(scene, [x for x in functions_of(scene) if x.name.startswith(stem)][2])
 
