@@ -156,8 +156,8 @@ def _finer(scene: SceneFunctions, function: Signature, precision: Precision
               for f in scene.functions}
 
     def named(call: Call | None) -> dict[str, str] | None:
-        return call and {"name": c_name(scene, call.function, precision),
-                         "inputs": inputs[call.function]}
+        return {"name": c_name(scene, call.function, precision),
+                "inputs": inputs[call.function]} if call else None
 
     return {"t": _BEGUN if scene.timed else "t", "test": named(split.test),
             "parts": named(split.parts)}
