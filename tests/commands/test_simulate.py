@@ -149,6 +149,7 @@ def hopper() -> Kernels:
 def test_finer_parts_in_c_are_those_one_by_one(hopper, monkeypatch, finer, shorter, precision):
     """To the last bit, and elsewhere than with parts of the usual length."""
     its = system(hopper, precision)
+    assert hopper.compiled
     usual = plan(its, until=0.7, step=1e-3, every=5e-3)
     together = integrate(its, replace(usual, finer=finer))
     assert (together.q.tobytes() != integrate(its, usual).q.tobytes()) == shorter

@@ -20,7 +20,6 @@ from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import (
-    Call,
     SceneFunctions,
     SceneInterface,
     Signature,
@@ -32,9 +31,7 @@ BINDING = "calls/binding.c"
 """The calls of functions of any scene, as calls/function.h describes them."""
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
-_BEGUN = "begun(t, h, (double)k)"
-_RUN = {"t": f"({{real}}){_BEGUN}", "h": "({real})h"}
-_FINER = {"h": "&longer"}
+_RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
 
 
 def interface(scene: SceneFunctions) -> SceneInterface:
@@ -95,7 +92,9 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
     signatures = callables(scene)
     driven = bool(scene.steps and scene.parameters)
     state = {"STATE_Q": scene.nq, "STATE_V": scene.nv, "STATE_P": len(scene.parameters)}
+    splits = any(isinstance(x, Split) for step in scene.steps for x in step.body)
     sections = [{"precision": p, "single": int(p is SINGLE), **_lanes_of_runs(scene, p),
+                 "binding": "finer" if splits else "function",
                  "functions": [_function(scene, f, p) for f in signatures]}
                 for p in named(precisions)]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
@@ -140,27 +139,17 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
         "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x in inputs)
         if function.repeats else "",
-        "finer": _finer(scene, function, precision) if function.repeats else None,
+        "split": _split(scene, function.name, precision) if function.repeats else "",
     }
 
 
-def _finer(scene: SceneFunctions, function: Signature, precision: Precision
-           ) -> dict[str, object] | None:
-    """The functions that split a step of this name into parts, and their inputs in C; None if it
-    is never split."""
-    split = next((x for step in scene.steps if step.name == function.name
-                  for x in step.body if isinstance(x, Split)), None)
-    if split is None:
-        return None
-    inputs = {f.name: ", ".join(_FINER.get(x.name, x.name) for x in f.inputs)
-              for f in scene.functions}
-
-    def named(call: Call | None) -> dict[str, str] | None:
-        return {"name": c_name(scene, call.function, precision),
-                "inputs": inputs[call.function]} if call else None
-
-    return {"t": _BEGUN if scene.timed else "t", "test": named(split.test),
-            "parts": named(split.parts)}
+def _split(scene: SceneFunctions, step: str, precision: Precision) -> str:
+    """The functions that say into how many parts a step is split: whether it is, and their number;
+    "" if it never is."""
+    split = next((x for of in scene.steps if of.name == step for x in of.body
+                  if isinstance(x, Split)), None)
+    return ", ".join(f"&about_{c_name(scene, x.function, precision)}" if x else "NULL"
+                     for x in (split.test, split.parts)) if split else ""
 
 
 def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
