@@ -22,7 +22,7 @@ class SdfLoops(SdfJoints):
     def __init__(self, path: Path) -> None:
         super().__init__(path)
         self.closures = PlacedLoops()
-        self.closing: set[str] = set()  # joints that close loops, or are left out
+        self.closing: set[str] = set()  # joints that are none of the tree
 
     def close(self, opened: bool) -> None:
         """Find the joints that close loops; `opened`: leave them out.  Raises SceneError for those
@@ -30,6 +30,7 @@ class SdfLoops(SdfJoints):
         held = dict[str, tuple[str, str]]()  # parent and joint in the tree, by child
         for full, joint, scope in sorted(self.every("joint"), key=lambda x: _order(x[1])):
             if joint.attributes.get("type") == GEARBOX:
+                self.closing.add(full)
                 continue
             parent, child = self.ends(joint, scope)
             if parent == child:
