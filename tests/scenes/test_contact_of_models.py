@@ -208,6 +208,32 @@ def test_shapes_that_touch_no_body_beside_others_are_noted(tmp_path: Path) -> No
                "[effects.contact_pair.LABEL] with second_radius for more" for x in lines)
 
 
+# the humanoid of docs/models.md
+
+def test_a_humanoid_of_a_file_stands_and_moves_its_arm(tmp_path: Path) -> None:
+    """With the scene of the document: after 5 s it is as high as it stood, and upright."""
+    text = (Path(__file__).parents[2] / "docs/models.md").read_text("utf-8")
+    _, _, stands = text.partition("### A humanoid stands")
+    (tmp_path / "stand.toml").write_text(stands.split("```")[1].removeprefix("toml"))
+    legs = "".join(f'''<body pos="0 {y} -0.4"><joint name="{side}_hip" axis="0 1 0"/>
+<geom type="capsule" size="0.04" fromto="0 0 0 0 0 -0.3" contype="0" conaffinity="0"/>
+<body pos="0 0 -0.35"><joint name="{side}_ankle" axis="0 1 0"/>
+<geom type="box" size="0.12 0.05 0.02" pos="0.02 0 -0.03"/></body></body>''' for side, y in (
+        ("left", 0.1), ("right", -0.1)))
+    (tmp_path / "humanoid.xml").write_text(f"""<mujoco><worldbody>
+<geom type="plane" size="1 1 1"/><body name="pelvis" pos="0 0 0.8"><freejoint/>
+<geom type="box" size="0.06 0.12 0.2" pos="0 0 -0.2"/><body pos="0 -0.2 0">
+<joint name="right_elbow" axis="0 1 0"/><geom type="capsule" size="0.03" fromto="0 0 0 0 0 -0.2"/>
+</body>{legs}</body></worldbody></mujoco>""")
+    result = run(tmp_path / "stand.toml")
+    q = result.q[-1].astype(float)
+    assert abs(q[2] - 0.8) < 2e-3 and q[6] > 0.999
+    names = [x.name for x in result.system.scene.model.joints if x.kind.moves]
+    assert names == ["pelvis", "right_elbow", "left_hip", "left_ankle", "right_hip", "right_ankle"]
+    elbow = result.q[:, 7].astype(float)
+    assert 0.3 < elbow.max() < 0.6 and -0.6 < elbow.min() < -0.3
+
+
 # groups
 
 BITS = ((1, 1), (1, 0), (0, 1), (2, 5), (4, 2), (6, 1), (-2**31, 0), (0, 2**31 - 1), (0, 0))

@@ -67,6 +67,13 @@ def test_all_means_joints_without_a_table_of_their_own(refusal, tmp_path):
         "joint has one; wanted no joints")
 
 
+def test_where_a_model_has_many_joints_an_unknown_key_lists_those_of_the_effect(refusal):
+    many = "".join(f'[bodies.b{i}]\nmass = 1\ninertia = [1, 1, 1]\n[joints.j{i}]\n'
+                   f'type = "free"\nchild = "b{i}"\n' for i in range(30))
+    text = many + '[effects.viscous]\njoints = "all"\nresistance = 1\n'
+    assert refusal(text)[1] == "unknown key; wanted one of d, joints"
+
+
 def test_all_means_bodies_without_a_table_of_their_own(tmp_path):
     path = tmp_path / "arm.toml"
     path.write_text(f'{SERIES}[effects.drag]\nbodies = "all"\nrho = 1\narea = 1\n'

@@ -80,13 +80,13 @@ def test_what_the_file_says_is_in_the_model(read):
 
 
 def test_bodies_and_joints_may_have_one_name_or_none(read):
-    """Taken names get a _ after them."""
+    """Names that the file does not give get a _ if they are taken."""
     text = """<mujoco><worldbody><body name="arm"><joint name="arm" pos="0.1 0 0"/>
 <geom size="0.1"/><body name="arm/arm"><joint/><geom size="0.1"/><body>
 <joint name="joint1" axis="0 1 0"/>
 <geom size="0.1"/></body></body></body></worldbody></mujoco>"""
     model = read(text).model
-    assert [x.name for x in model.joints] == ["arm", "arm/fixed", "joint1", "joint1_"]
+    assert [x.name for x in model.joints] == ["arm", "arm/fixed", "joint1_", "joint1"]
     assert [x.name for x in model.bodies] == ["arm/arm_", "arm", "arm/arm", "body3"]
 
 

@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping
 
 from coscrew_codegen.scene.effect import Effect, Place
 from coscrew_codegen.scene.mechanism.model import Model
-from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.names import MANY as MANY_NAMES
+from coscrew_codegen.scene.names import did_you_mean, nearest
 from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
@@ -135,8 +136,10 @@ def _is_place(reading: EffectTable, key: str) -> bool:
 
 def _refuse_unknown(reading: EffectTable, key: str) -> None:
     known = (*reading.parameters, reading.several)
-    near = did_you_mean(key, (*known, *reading.targets))
-    reading.table.refuse(key, f"unknown key; {near}")
+    every = (*known, *reading.targets)
+    listed = nearest(key, every) or len(every) <= MANY_NAMES
+    wanted = did_you_mean(key, every if listed else known)
+    reading.table.refuse(key, f"unknown key; {wanted}")
 
 
 def _in_own_table(reading: EffectTable, key: str) -> Applied:
