@@ -102,7 +102,7 @@ def rates_of(system: System) -> Rates:
 def _coordinate_rates(system: System) -> Callable[..., np.ndarray]:
     """(r, q, v) -> the rates of the coordinates r; q is r with normalized quaternions.
 
-    Those that are velocities, of which robots have many, are taken at once."""
+    Rates that are velocities, the most of a robot, are taken at once."""
     turning = [c for c in system.functions.coordinates if KIND_NAMED[c.kind].manifold]
     others = [c for c in system.functions.coordinates if not KIND_NAMED[c.kind].manifold]
     places, speeds = [k for c in others for k in c.q], [k for c in others for k in c.v]
