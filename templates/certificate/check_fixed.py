@@ -1,20 +1,21 @@
 """Checks certificates of fixed point, with fractions alone: python check_fixed.py < FILE"""
 from fractions import Fraction as F
 
-def fits(size, bits, wide):  # in 32 or 64 bits
-    return size * F(2)**bits <= 2**(63 if wide else 31) - 1
+fits = lambda size, bits, wide: size * F(2)**bits <= 2**(63 if wide else 31) - 1
 
 def check(lines):  # of a value: size, error, bits, whether it has 64 bits, turn
-    (sine, quarter), *steps = (x.split() for x in lines if x[0] != "#")
-    values = {}
+    (sine, quarter), *steps, values = *(x.split() for x in lines if x[0] != "#"), {}
     for op, name, *x, f, s, e, r in steps:
         f, (s, e, r), turn, own = int(f), (F(float.fromhex(y)) for y in (s, e, r)), (), F(0)
-        for y in (z for z in x if z not in values and op != "input"):
+        count = {"input": 0, "sin": 1, "cos": 1, "neg": 1, "shift": 1}.get(op, 2) - len(x)
+        assert count == 0 <= min(s, e, r) and name not in values and "@" not in name, name
+        for y in (z for z in x if z not in values):
             word, at = y.split("@")  # a constant, or an integer with other bits, thus a multiple
             c, k = 0 if word in values else abs(F(word)), F(2)**int(at)
             z = values.get(word, (c, abs(c - round(c * k) / k), int(at), False))
             values[y] = *(w * F(2)**z[2] / k for w in z[:2]), int(at), z[3], ()
-        a, *_, b = [values[y] for y in 2 * x] if op != "input" else 2 * [(s, F(0), f, False, ())]
+            assert fits(sum(values[y][:2]), int(at), z[3]), f"{y} overflows"
+        a, *_, b = [values[y] for y in 2 * x] or 2 * [(s, F(0), f, False, ())]
         (size, moved, exact), total, last = a[:3], op in ("add", "sub"), F(2)**-f
         if op in ("mul", "high"):
             size, moved, exact = a[0] * b[0], a[0] * b[1] + a[1] * b[0] + a[1] * b[1], a[2] + b[2]
@@ -36,9 +37,8 @@ def check(lines):  # of a value: size, error, bits, whether it has 64 bits, turn
                 "input": f, **dict.fromkeys(("sin", "cos"), 30 if 17 < exact < 31 else None)}
         long, n, wide = a[3] or b[3], a[2] - f, op == "mul" or op != "shift" and (a[3] or b[3])
         assert f == bits[op] and (n == 0 if total else op in ("neg", "shift") or not long), name
-        assert fits(s + e, f, wide), f"{name} overflows"
-        assert op != "shift" or n < 1 or n > 31 and not long or fits(
-            sum(a[:2]) + last / 2, a[2], long), f"{name} overflows where it is rounded"
+        half = sum(a[:2]) + last / 2 if op == "shift" and n > 0 and (n < 32 or long) else F(0)
+        assert fits(s + e, f, wide) and fits(half, a[2], long), f"{name} overflows"
         assert s >= size and r >= own and e - r >= moved, f"size or error of {name}"
         values[name] = s, e, f, wide, turn
 

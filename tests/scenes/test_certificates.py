@@ -1,7 +1,6 @@
 """Certificates of bounds over stated ranges: checkers that know nothing of the generator accept
 them, and refuse each whose error, size or rounding is smaller by 1e-9 of itself at any line."""
 
-import ast
 import json
 import subprocess
 import sys
@@ -16,7 +15,7 @@ from coscrew_codegen.accuracy.range_proofs import of_plain
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
-from tests.support.scenes.certificate_checks import CHECKERS, checked, refuses
+from tests.support.scenes.certificate_checks import BOUNDS, FIXED, checker, is_short, refuses
 from tests.support.scenes.ranged import PANDA, floating, panda
 
 BOX = "\n[ranges]\nv = 0.5\na = 1\n"
@@ -39,21 +38,15 @@ def lines(scene: str, name: str, precision: Precision) -> list[str]:
     return certificate(function(scene, name), precision).splitlines()
 
 
-@pytest.mark.parametrize("checker, most", [*zip(CHECKERS, (40, 64), strict=True)],
-                         ids=("bounds", "lengths"))
-def test_checkers_are_short_and_import_fractions_alone(checker, most):
-    tree = ast.parse(checker.read_text(encoding="utf-8"))
-    imports = [x for x in ast.walk(tree) if isinstance(x, ast.Import | ast.ImportFrom)]
-    assert [ast.unparse(x) for x in imports] == ["from fractions import Fraction as F"]
-    text = checker.read_text(encoding="utf-8").splitlines()
-    code = [x for x in text if x.strip() and not x.startswith(('"""', "from "))]
-    assert len(code) <= most and max(map(len, text)) <= 100
+@pytest.mark.parametrize("path, most", ((BOUNDS, 225), (FIXED, 40)), ids=lambda x: str(x)[-9:])
+def test_checkers_are_short_and_import_fractions_alone(path, most):
+    assert is_short(path, most)
 
 
 @pytest.mark.parametrize("scene, name, precision", CASES, ids=NAMES)
 def test_certificates_end_with_the_stated_bounds(scene, name, precision):
     its = lines(scene, name, precision)
-    checked(its)
+    checker(BOUNDS)(its)
     figures = {x.split()[1]: [float.fromhex(y) for y in x.split()[-3:]] for x in its
                if not x.startswith("#") and len(x.split()) > 3}
     bounds, program = of_plain(function(scene, name), precision), function(scene, name).program
@@ -107,11 +100,10 @@ def test_the_command_writes_certificates_their_checker_and_bounds(tmp_path, caps
         "forward_dynamics: no bound: [ranges] states no range of tau",
         "mass_matrix: 2 certificates of 566 lines"]
     for p in PRECISIONS:
-        for path in CHECKERS:
-            run = subprocess.run([sys.executable, "-I", folder / path.name], check=True,
-                                 stdin=(folder / f"mass_matrix_{p.name}.txt").open(),
-                                 capture_output=True, text=True)
-            assert run.stdout == "proved\n"
+        run = subprocess.run([sys.executable, "-I", folder / BOUNDS.name], check=True, text=True,
+                             stdin=(folder / f"mass_matrix_{p.name}.txt").open(),
+                             capture_output=True)
+        assert run.stdout == "proved\n"
     bounds = json.loads((folder / "bounds.json").read_text(encoding="utf-8"))
     plain = of_plain(function("panda", "mass_matrix"), PRECISIONS[0])
     assert bounds["mass_matrix"]["double"]["M"]["error"] == [x.error for x in plain]

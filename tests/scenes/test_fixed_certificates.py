@@ -2,10 +2,8 @@
 refuses each that states less of a size, an error or a rounding by 1e-9 of itself, other bits, or
 an operand that is not there."""
 
-import ast
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -16,20 +14,12 @@ from coscrew_codegen.accuracy.certificate import of_fixed
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction
 from coscrew_codegen.program.fixed.fixed_program import Products
 from tests.support.scenes import fixed_robots
+from tests.support.scenes.certificate_checks import FIXED, checker, refuses
 
-CHECKER = Path(__file__).parents[2] / "templates/certificate/check_fixed.py"
 GIMBAL = Path(__file__).parents[2] / "examples/fixed_point/gimbal.toml"
 FUNCTIONS = ("inverse_dynamics", "gravity_torques", "mass_matrix", "energy")
 BITS, SIZE, ERROR, ROUNDING = -4, -3, -2, -1
 each_certificate = pytest.mark.parametrize("products", Products, ids=lambda x: x.value)
-
-
-@cache
-def checked() -> Callable[[Sequence[str]], None]:
-    """The checker's function, without its last line, which reads standard input."""
-    names: dict[str, Callable] = {}
-    exec(CHECKER.read_text(encoding="utf-8").rpartition("\nprint(")[0], names)
-    return names["check"]
 
 
 @cache
@@ -43,28 +33,12 @@ def lines(robot: str, name: str, products: Products) -> list[str]:
     return of_fixed(its.plain, its.programs[products]).splitlines()
 
 
-def refuses(its: Sequence[str]) -> bool:
-    try:
-        checked()(its)
-    except (AssertionError, ValueError, KeyError):
-        return True
-    return False
-
-
-def test_the_checker_is_short_and_imports_fractions_alone():
-    text = CHECKER.read_text(encoding="utf-8")
-    imports = [x for x in ast.walk(ast.parse(text)) if isinstance(x, ast.Import | ast.ImportFrom)]
-    assert [ast.unparse(x) for x in imports] == ["from fractions import Fraction as F"]
-    code = [x for x in text.splitlines() if x.strip() and not x.startswith(('"""', "from "))]
-    assert len(code) <= 40 and max(map(len, text.splitlines())) <= 100
-
-
 @pytest.mark.parametrize("name", FUNCTIONS)
 @pytest.mark.parametrize("robot", fixed_robots.ROBOTS)
 @each_certificate
 def test_certificates_end_with_the_stated_bounds(robot, name, products):
     its = lines(robot, name, products)
-    checked()(its)
+    checker(FIXED)(its)
     made = {x.split()[1]: x.split() for x in its if not x.startswith("#") and len(x.split()) > 5}
     results = dict(x[2:].split(" is ") for x in its if x.startswith("#") and "] is " in x)
     fixed = functions(robot)[name].programs[products]
@@ -93,7 +67,7 @@ def test_what_states_less_is_refused_at_every_line(products):
             place %= len(words)
             other = " ".join([*words[:place], word, *words[place + 1:]])
             count += 1
-            if not refuses([*its[:number], other, *its[number + 1:]]):
+            if not refuses([*its[:number], other, *its[number + 1:]], FIXED):
                 accepted.append((line, place))
     assert not accepted and count > 500
 
@@ -110,7 +84,7 @@ def test_steps_without_a_proof_are_refused(step):
     given = ["1/1000000000 1/10000000000", "input x 30 0x1p0 0x0p0 0x0p0",
              "input w 20 0x1p0 0x0p0 0x0p0", "input l 30 0x1.fffffffp0 0x0p0 0x0p0",
              "mul m x x 60 0x1p0 0x0p0 0x0p0"]
-    assert not refuses(given) and refuses([*given, step])
+    assert not refuses(given, FIXED) and refuses([*given, step], FIXED)
 
 
 def test_the_command_writes_certificates_of_fixed_point(tmp_path, capsys):
@@ -119,7 +93,7 @@ def test_the_command_writes_certificates_of_fixed_point(tmp_path, capsys):
     for mark in ("", "_high"):
         name = f"inverse_dynamics_fixed{mark}"
         assert f"{name}: 1 certificate of " in printed
-        run = subprocess.run([sys.executable, "-I", tmp_path / "check_fixed.py"], check=True,
+        run = subprocess.run([sys.executable, "-I", tmp_path / FIXED.name], check=True,
                              stdin=(tmp_path / f"{name}.txt").open(), capture_output=True,
                              text=True)
         assert run.stdout == "proved\n"

@@ -4,11 +4,10 @@ the bounds of its line."""
 
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -19,17 +18,15 @@ from coscrew_codegen.accuracy.certificate import of_pairs
 from coscrew_codegen.accuracy.precision_tuning.array_evaluation import evaluator
 from coscrew_codegen.accuracy.range_proofs import of_mixture
 from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
-from coscrew_codegen.accuracy.tiers.mixed import CARRYING, Mixture, mixed
-from coscrew_codegen.dynamics import derive
+from coscrew_codegen.accuracy.tiers.mixed import mixed
 from coscrew_codegen.program import Op, Program, Ref
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE, Precision
-from tests.support.scenes import fixed_robots
+from tests.support.scenes.certificate_checks import BOUNDS, checker, refuses
+from tests.support.scenes.certified_functions import function, mixture, plain
 from tests.support.scenes.generated_scenes import argument
-from tests.support.scenes.ranged import PANDA, SCENES
+from tests.support.scenes.ranged import PANDA
 
-CHECKERS = tuple(Path(__file__).parents[2] / f"templates/certificate/check_{x}.py"
-                 for x in ("bounds", "pairs"))
 MANY = 23  # of so many lines one is changed
 ANGLE = {"sin": mpmath.sin, "cos": mpmath.cos}
 FREE = """
@@ -45,54 +42,14 @@ base = 2
 
 
 @cache
-def checks() -> tuple[Callable[[Sequence[str]], None], ...]:
-    """The checkers' functions, without their last lines, which read standard input."""
-    results = []
-    for path in CHECKERS:
-        names: dict[str, Callable] = {}
-        exec(path.read_text(encoding="utf-8").rpartition("\nprint(")[0], names)
-        results.append(names["check"])
-    return tuple(results)
-
-
-@cache
-def function(scene: str, name: str) -> FunctionProgram:
-    its = fixed_robots.scene(scene) if scene in fixed_robots.ROBOTS else SCENES[scene]()
-    return derive(replace(its, functions=(name,), tiers=())).named(name)
-
-
-def plain(its: FunctionProgram) -> Program:
-    return its.program.fine or its.program
-
-
-@cache
 def lines(scene: str, name: str, precision: Precision, seed: int | None = None) -> list[str]:
     its = function(scene, name)
     return of_pairs(its, precision, None if seed is None else mixture(its, seed)).splitlines()
 
 
-def mixture(its: FunctionProgram, seed: int) -> Mixture:
-    """A random mixture; sine and cosine of an angle are pairs together."""
-    draw, steps = np.random.default_rng(seed), plain(its).instructions
-    paired = frozenset(x.name for x in steps if draw.random() < (0, 0.3, 0.6, 0.9)[seed % 4])
-    angles = {x.operands for x in steps if x.op in (Op.SIN, Op.COS) and x.name in paired}
-    kept = frozenset((x.name, n) for x in steps if x.op in CARRYING for n in range(2)
-                     if draw.random() < 0.5)
-    return Mixture(paired | {x.name for x in steps if x.operands in angles}, kept)
-
-
 def tier(its: FunctionProgram, seed: int | None) -> Program:
     """The function in pairs of single precision, or in a mixture."""
     return in_pairs(plain(its), SINGLE) if seed is None else mixed(plain(its), mixture(its, seed))
-
-
-def refused(its: Sequence[str]) -> bool:
-    for check in checks():
-        try:
-            check(its)
-        except (AssertionError, ValueError, KeyError, IndexError, TypeError):
-            return True
-    return False
 
 
 def errors(its: Sequence[str], program: Program) -> list[float]:
@@ -102,22 +59,13 @@ def errors(its: Sequence[str], program: Program) -> list[float]:
     return [float.fromhex(x[-2]) for x in copies if x[1] in names]
 
 
-def test_the_checkers_import_fractions_alone():
-    for path in CHECKERS:
-        text = path.read_text(encoding="utf-8")
-        assert [x for x in text.splitlines() if "import" in x] == [
-            "from fractions import Fraction as F"]
-        assert max(map(len, text.splitlines())) <= 100
-
-
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 @pytest.mark.parametrize("scene, name", (
     ("panda", "body_poses"), ("panda", "inverse_dynamics"), ("UR5", "inverse_dynamics"),
     ("floating", "body_poses"), ("floating", "inverse_dynamics")))
 def test_certificates_prove_the_stated_bounds(scene, name, precision):
     its, made = function(scene, name), lines(scene, name, precision)
-    for check in checks():
-        check(made)
+    checker(BOUNDS)(made)
     proved, stated = errors(made, plain(its)), of_mixture(plain(its), its.ranges, precision)
     assert len(proved) == len(stated)
     for mine, bound in zip(proved, stated, strict=True):
@@ -129,8 +77,7 @@ def test_certificates_prove_the_stated_bounds(scene, name, precision):
 @pytest.mark.parametrize("scene, name", (("panda", "body_poses"), ("floating", "inverse_dynamics")))
 def test_mixtures_have_certificates(scene, name, seed):
     its, made = function(scene, name), lines(scene, name, SINGLE, seed)
-    for check in checks():
-        check(made)
+    checker(BOUNDS)(made)
     stated = of_mixture(plain(its), its.ranges, SINGLE, mixture(its, seed))
     for mine, bound in zip(errors(made, plain(its)), stated, strict=True):
         assert mine <= bound.error * (1 + 1e-7)
@@ -150,7 +97,7 @@ def test_smaller_figures_are_refused_at_every_line(scene, precision, seed):
                 continue
             changed = " ".join([*words[:place], less.hex(), *words[place + 1:]])
             count += 1
-            if not refused([*its[:number], changed, *its[number + 1:number + 200]]):
+            if not refuses([*its[:number], changed, *its[number + 1:number + 200]]):
                 accepted.append((its[number], place))
     assert not accepted and count > 50
 
@@ -167,7 +114,7 @@ def test_other_operands_are_refused(scene, seed):
         other = others[words[first] == others[0]]
         changed = " ".join([*words[:first], other, *words[first + 1:]])
         count += 1
-        if not refused([*its[:number], changed, *its[number + 1:]]):
+        if not refuses([*its[:number], changed, *its[number + 1:]]):
             accepted.append(its[number])
     assert not accepted and count > 20
 
@@ -243,9 +190,9 @@ def exact(op: str, *x: Fraction) -> Fraction:
     ), ids=lambda x: x[-1])
 def test_steps_without_a_proof_are_refused(steps):
     given = ["53 -1022 103/125 0x1p-90", "input x 0x1p0 0x0p0 0x0p0", "input y 0x1p0 0x0p0 0x0p0"]
-    assert not refused([*given, "add z x y 0x1p1 0x1p-53 0x1p-53", " add z x y 0x1p1 0x1p-53",
+    assert not refuses([*given, "add z x y 0x1p1 0x1p-53 0x1p-53", " add z x y 0x1p1 0x1p-53",
                         " sub r z x 0x1.1p0 0x1p-53", " sub l z r 0x1.8p1 0x0p0", " is z z"])
-    assert refused([*given, *steps])
+    assert refuses([*given, *steps])
 
 
 @pytest.mark.parametrize("model, ranges, words, names", (
@@ -264,7 +211,6 @@ def test_the_command_writes_certificates_of_pairs(model, ranges, words, names, t
     assert {x.stem for x in folder.glob("*_*_*.txt")} >= {*names}
     for name in names:
         assert f"{name}: 1 certificate of " in printed
-        for checker in ("check_bounds.py", "check_pairs.py"):
-            run = subprocess.run([sys.executable, "-I", folder / checker], check=True, text=True,
-                                 stdin=(folder / f"{name}.txt").open(), capture_output=True)
-            assert run.stdout == "proved\n"
+        run = subprocess.run([sys.executable, "-I", folder / BOUNDS.name], check=True, text=True,
+                             stdin=(folder / f"{name}.txt").open(), capture_output=True)
+        assert run.stdout == "proved\n"

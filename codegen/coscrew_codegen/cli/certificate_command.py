@@ -16,8 +16,7 @@ if TYPE_CHECKING:
     from coscrew_codegen.program.scene_functions import FunctionProgram
     from coscrew_codegen.program.values.formats import Precision
 
-CHECKER, LENGTH_CHECKER = "check_bounds.py", "check_lengths.py"
-PAIR_CHECKER, FIXED_CHECKER = "check_pairs.py", "check_fixed.py"
+CHECKER, FIXED_CHECKER = "check_bounds.py", "check_fixed.py"
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -25,10 +24,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "certificate", help="write certificates of the bounds over a scene's ranges",
         description="Write for each function the bounds of all values over the scene's [ranges], "
-                    f"a line each, and {CHECKER} and {LENGTH_CHECKER}, which check them with "
-                    f"fractions alone: python {CHECKER} < FILE.  bounds.json has the bounds of all "
-                    f"results.  Functions in tiers of pairs or in fixed point have {PAIR_CHECKER}, "
-                    f"{FIXED_CHECKER}.")
+                    f"a line each, and {CHECKER}, which checks them with fractions alone: python "
+                    f"{CHECKER} < FILE.  bounds.json has the bounds of all results.  Functions in "
+                    f"fixed point have {FIXED_CHECKER}.")
     parser.add_argument("scene", metavar="SCENE", type=Path, help="a scene file with [ranges]")
     parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
                         help="folder to write to")
@@ -58,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
         raise ReportedError(f"{options.scene}: states no ranges, over which bounds could be "
                             "proved; wanted a table, as [ranges] with v = 3 and a = 20")
     precisions = named((scene.precision,) if scene.precision == "single" else scene.precisions)
-    files = {name: copied(f"certificate/{name}") for name in (CHECKER, LENGTH_CHECKER)}
+    files = {CHECKER: copied(f"certificate/{CHECKER}")}
     bounds = {}
     functions = derive(scene)
     for function in functions.functions:
@@ -70,9 +68,9 @@ def run(options: argparse.Namespace) -> int:
         lines = next((x.count("\n") for x in made.values()), 0)
         print(f"{function.name}: " + (f"{len(made)} certificates of {lines} lines" if made else
                                       f"no bound: {reason(function)}"))
-    if of_pairs := {name: text for f in functions.functions if f.ranges and not f.internal
-                    for name, text in _of_tiers(f, scene.tiers, precisions)}:
-        files |= {PAIR_CHECKER: copied(f"certificate/{PAIR_CHECKER}"), **of_pairs}
+    for f in functions.functions:
+        if f.ranges and not f.internal:
+            files |= _of_tiers(f, scene.tiers, precisions)
     for fixed in fixed_of(functions):
         files |= {FIXED_CHECKER: copied(f"certificate/{FIXED_CHECKER}"), **dict(_of_fixed(fixed))}
     files["bounds.json"] = json.dumps(bounds, indent=1) + "\n"

@@ -4,9 +4,10 @@
 names.  The function calls the first of these with its arguments unless it can take them.  `many_…`
 takes n states: a pointer to each input and the numbers from one row to the next (0: all share one
 row), and likewise each output; it shares them among threads, which call `lanes_…`, the function of
-many states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on;
-`drive_double` takes them of many states, and calls a controller in between.  All work in Python
-without its headers.
+many states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on, and
+`finer_…`, where steps may be split, in parts as short as those of a longer step; `drive_double`
+takes them of many states, and calls a controller in between.  All work in Python without its
+headers.
 """
 
 from collections.abc import Collection, Iterable, Iterator
@@ -18,14 +19,22 @@ from coscrew_codegen.backends.scene import scene_text
 from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
-from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
+from coscrew_codegen.program.scene_functions import (
+    Call,
+    SceneFunctions,
+    SceneInterface,
+    Signature,
+    Split,
+)
 from coscrew_codegen.program.values.formats import SINGLE, Precision, named
 
 BINDING = "calls/binding.c"
 """The calls of functions of any scene, as calls/function.h describes them."""
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
-_RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
+_BEGUN = "begun(t, h, (double)k)"
+_RUN = {"t": f"({{real}}){_BEGUN}", "h": "({real})h"}
+_FINER = {"h": "&longer"}
 
 
 def interface(scene: SceneFunctions) -> SceneInterface:
@@ -131,7 +140,27 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
         "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x in inputs)
         if function.repeats else "",
+        "finer": _finer(scene, function, precision) if function.repeats else None,
     }
+
+
+def _finer(scene: SceneFunctions, function: Signature, precision: Precision
+           ) -> dict[str, object] | None:
+    """The functions that split a step of this name into parts, and their inputs in C; None if it
+    is never split."""
+    split = next((x for step in scene.steps if step.name == function.name
+                  for x in step.body if isinstance(x, Split)), None)
+    if split is None:
+        return None
+    inputs = {f.name: ", ".join(_FINER.get(x.name, x.name) for x in f.inputs)
+              for f in scene.functions}
+
+    def named(call: Call | None) -> dict[str, str] | None:
+        return {"name": c_name(scene, call.function, precision),
+                "inputs": inputs[call.function]} if call else None
+
+    return {"t": _BEGUN if scene.timed else "t", "test": named(split.test),
+            "parts": named(split.parts)}
 
 
 def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
