@@ -29,6 +29,7 @@ WANTED = {"one": 6, "many": 30}
 CONES = {"pyramidal, impratio 1 (default)": 'cone="pyramidal" impratio="1"',
          "elliptic, impratio 100": 'cone="elliptic" impratio="100"'}
 FEET, SECONDS, MINUTE = ("fl_shank", "fr_shank", "rl_shank", "rr_shank"), 1.0, 60.0
+TARGETS = {"swing": 0.9, "knee": -1.6}
 KP, KD, ARMATURE, MU = 200, 5, 1.2e-4 * 81, 0.7
 
 
@@ -39,7 +40,7 @@ def standing() -> tuple[np.ndarray, np.ndarray]:
 
 
 def model_of(cone: str) -> mujoco.MjModel:
-    """MuJoCo's model of the scene: the same feet, springs and dampers in place of the motors."""
+    """MuJoCo's model of the scene: the same feet and motors, whose torques have the same limits."""
     text = re.sub(r"<(visual|collision)\b[^>]*>.*?</\1>", "", SCENE.with_name(
         "quadruped.urdf").read_text(), flags=re.DOTALL)
     spec = mujoco.MjSpec.from_string(text.replace("</robot>", (
@@ -50,13 +51,14 @@ def model_of(cone: str) -> mujoco.MjModel:
     for name in FEET:
         spec.body(name).add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[0.02, 0, 0],
                                  pos=[0, 0, -0.21], friction=[MU, 0, 0], mass=0)
+    for joint in spec.joints[1:]:
+        motor = spec.add_actuator(name=joint.name, target=joint.name,
+                                  trntype=mujoco.mjtTrn.mjTRN_JOINT)
+        motor.set_to_position(kp=KP, kv=KD)
     model = spec.compile()
-    targets = {"swing": 0.9, "knee": -1.6}
-    model.dof_armature[6:], model.dof_damping[6:] = ARMATURE, KD + model.dof_damping[6:]
-    model.jnt_stiffness[1:], model.jnt_limited[:], model.dof_frictionloss[:] = KP, 0, 0
-    for k in range(1, model.njnt):
-        model.qpos_spring[model.jnt_qposadr[k]] = targets.get(
-            model.joint(k).name.split("_")[-1], 0)
+    model.dof_armature[6:] = ARMATURE
+    model.jnt_limited[:], model.dof_frictionloss[:] = 0, 0
+    assert model.jnt_actfrclimited[1:].all() and set(model.jnt_actfrcrange[1:, 1]) == {30, 45}
     return model
 
 
@@ -64,6 +66,7 @@ def start(model: mujoco.MjModel, q: Sequence[float]) -> mujoco.MjData:
     """MuJoCo's state with these coordinates; the joints' order is that of both."""
     data = mujoco.MjData(model)
     data.qpos[:] = [*q[:3], q[6], *q[3:6], *q[7:19]]
+    data.ctrl[:] = [TARGETS.get(model.actuator(k).name.split("_")[-1], 0) for k in range(model.nu)]
     mujoco.mj_forward(model, data)
     return data
 

@@ -13,12 +13,15 @@ import sys
 import termios
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.integrators import EMITTED, NAMES, named
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
@@ -32,6 +35,7 @@ from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
+EXAMPLES = Path(__file__).parents[2] / "examples/scenes"
 ORDERS = {x.name: x.order for x in EMITTED}
 INTEGRATORS = NAMES
 ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
@@ -132,6 +136,27 @@ def test_samples_in_one_loop_are_those_one_by_one(kernels, monkeypatch, name, ev
     for of in ("t", "q", "v"):
         assert getattr(together, of).tobytes() == getattr(alone, of).tobytes()
     assert (together.steps, together.failed) == (alone.steps, alone.failed)
+
+
+@pytest.fixture(scope="module")
+def hopper() -> Kernels:
+    """Its forces depend on time, and its foot bounces."""
+    return load_scene(EXAMPLES / "hopper.toml")
+
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+@pytest.mark.parametrize("finer, shorter", ((2, True), (16, True), (1, False)))
+def test_finer_parts_in_c_are_those_one_by_one(hopper, monkeypatch, finer, shorter, precision):
+    """To the last bit, and elsewhere than with parts of the usual length."""
+    its = system(hopper, precision)
+    assert hopper.compiled
+    usual = plan(its, until=0.7, step=1e-3, every=5e-3)
+    together = integrate(its, replace(usual, finer=finer))
+    assert (together.q.tobytes() != integrate(its, usual).q.tobytes()) == shorter
+    monkeypatch.setattr(System, "sampler", lambda *_: None)
+    alone = integrate(its, replace(usual, finer=finer))
+    assert together.q.tobytes() == alone.q.tobytes()
+    assert together.v.tobytes() == alone.v.tobytes()
 
 
 @pytest.mark.parametrize("precision", ROUNDOFF)

@@ -5,6 +5,7 @@ import json
 import math
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -217,6 +218,35 @@ def test_foxglove_reads_the_shapes_at_their_places(topics):
     for x in (box, ball, cylinder, trunk, mesh):
         assert (x.pose.position.z, x.pose.orientation.y) == pytest.approx((-1, math.sin(TILT / 2)))
     assert [of[x].cubes[0].color.a for x in ("arm", "single/arm")] == pytest.approx([0.5, 0.175])
+
+
+def test_messages_are_those_of_the_published_schemas(seen, topics):
+    """Messages of Foxglove's types are read by the modules that Foxglove publishes for them, with
+    the same content and nothing unknown; the others are valid by their own JSON Schema."""
+    published = pytest.importorskip("foxglove_schemas_protobuf.SceneUpdate_pb2",
+                                    reason="needs pip install foxglove-schemas-protobuf")
+    from foxglove_schemas_protobuf.FrameTransforms_pb2 import FrameTransforms
+    from google.protobuf.json_format import MessageToDict
+    from google.protobuf.unknown_fields import UnknownFieldSet
+    from mcap.reader import make_reader
+
+    types = {"/scene": published.SceneUpdate, "/frames": FrameTransforms}
+    counts = dict.fromkeys(topics, 0)
+    with (seen[0] / "arm.mcap").open("rb") as file:
+        for schema, channel, message in make_reader(file).iter_messages():
+            topic, number = channel.topic, counts[channel.topic]
+            counts[topic] += 1
+            if topic not in types:
+                assert (schema.encoding, channel.message_encoding) == ("jsonschema", "json")
+                of = json.loads(schema.data)
+                jsonschema.Draft202012Validator.check_schema(of)
+                jsonschema.validate(json.loads(message.data), {**of, "additionalProperties": False})
+                continue
+            read = types[topic].FromString(message.data)
+            assert (schema.encoding, schema.name) == ("protobuf", read.DESCRIPTOR.full_name)
+            assert not len(UnknownFieldSet(read))
+            assert MessageToDict(read) == MessageToDict(topics[topic][number][1])
+    assert {*types} < {*counts} and all(counts.values())
 
 
 # the command line, and Python

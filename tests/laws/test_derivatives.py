@@ -23,6 +23,7 @@ from coscrew_codegen.algebra.recording.derivatives import adjoint, tangent
 from coscrew_codegen.algebra.recording.recorder import array
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, differentiate
 from coscrew_codegen.program.differentiate import Dual
+from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.reports.kernels.inputs import benign
 from tests.support.each import each_operation
@@ -142,6 +143,33 @@ def test_partial_derivatives_of_every_operation(op: Op) -> None:
             (result,) = differentiate.tangent(program, MULTIPRECISE.arithmetic, FUNCTIONS, inputs)
             wanted = slope(lambda s, x=x, d=d: f(moved(x, d, s))[0], MULTIPRECISE)
             assert abs((result.slopes[0] or 0) - wanted) <= CLOSE
+
+
+@pytest.mark.parametrize("first, second", [(Op.ADD, Op.SUB), (Op.SUB, Op.ADD)])
+def test_a_turned_vector_is_the_derivative_of_the_other_component(first: Op, second: Op) -> None:
+    """x' = c x ± s y, y' = c y ∓ s x: the derivatives by the angle are the components, so that the
+    tangent takes 10 operations besides them, the adjoint 9."""
+    angle, x, y = (Input(k, 0) for k in range(3))
+    steps = (Instruction("s", Op.SIN, (angle,), ""), Instruction("c", Op.COS, (angle,), ""),
+             Instruction("cx", Op.MUL, (Ref("c"), x), ""),
+             Instruction("sy", Op.MUL, (y, Ref("s")), ""),
+             Instruction("cy", Op.MUL, (Ref("c"), y), ""),
+             Instruction("sx", Op.MUL, (Ref("s"), x), ""),
+             Instruction("a", first, (Ref("cx"), Ref("sy")), ""),
+             Instruction("b", second, (Ref("cy"), Ref("sx")), ""))
+    program = Program("turn", tuple(array(name, ()) for name in ("angle", "x", "y")),
+                      (array("a", ()), array("b", ())), steps, (Ref("a"), Ref("b")))
+    own = evaluator(program, MULTIPRECISE)
+    along, back = tangent(program), adjoint(program)
+    assert (flops(along) - flops(program), flops(back) - flops(program)) == (10, 9)
+    at, d, w = ([[mpf(k)] for k in row] for row in ((2, 3, 5), (7, 1, 4), (6, 8)))
+    result = evaluator(along, MULTIPRECISE)([*at, *d])[2:]
+    for k in range(2):
+        wanted = slope(lambda s, k=k: own(moved(at, d, s))[k], MULTIPRECISE)
+        assert abs(result[k] - wanted) <= CLOSE
+    gradient = evaluator(back, MULTIPRECISE)([*at, *w])[2:]
+    assert abs(sum(a * b[0] for a, b in zip(gradient, d, strict=True))
+               - sum(a[0] * b for a, b in zip(w, result, strict=True))) <= CLOSE
 
 
 @pytest.mark.parametrize("chosen", [True, False])

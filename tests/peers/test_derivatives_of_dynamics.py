@@ -97,8 +97,11 @@ def test_operations_of_a_ur5(name: str, most: int) -> None:
     assert flops(x.functions.named(name).program) <= most
 
 
-@pytest.mark.parametrize("name", ["inverse_dynamics", "forward_dynamics", "bias_torques", "energy",
-                                  "mass_matrix", "momentum"])
+@pytest.mark.parametrize("name", [
+    "inverse_dynamics", "forward_dynamics", "bias_torques", "energy", "energy_gradients",
+    "mass_matrix", "coriolis_matrix", "momentum", "centroidal_momentum_matrix", "body_twists",
+    "center_of_mass_jacobian", "jacobian_wrist_3_link", "aligned_jacobian_wrist_3_link",
+    "world_jacobian_wrist_3_link", "aligned_point_jacobian_wrist_3_link"])
 def test_a_direction_costs_less_than_three_times_the_function(name: str) -> None:
     """Tangents and adjoints, by all inputs."""
     functions = derive(scene_of("ur_description/urdf/ur5_robot.urdf", False, False),

@@ -1,6 +1,7 @@
 """jax.jacfwd of a scene's functions: many directions at one place take one Jacobian."""
 
 import re
+from dataclasses import replace
 
 import jax
 import jax.numpy as jnp
@@ -8,7 +9,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.runtime.arrays import in_jax
-from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.runtime.load import Kernels, kernels_for, kernels_of
 from tests.support.scenes.robots import Robot, model_of, paired, scene_of
 
 UR5 = "ur_description/urdf/ur5_robot.urdf"
@@ -65,16 +66,20 @@ def test_any_directions_are_tangents(robot: Robot, kernels: Kernels,
         assert np.abs(x - y).max() < 1e-12 * np.abs(y).max()
 
 
-def test_derivatives_of_dynamics_are_taken_once_and_copied_never(robot: Robot, kernels: Kernels
-                                                                 ) -> None:
+@pytest.mark.parametrize("selected", [True, False], ids=["selected", "not selected"])
+def test_derivatives_of_dynamics_are_taken_once_and_copied_never(robot: Robot, kernels: Kernels,
+                                                                 selected: bool) -> None:
     """Text that XLA compiles calls the scene's function, whose results are those of jacfwd."""
+    wanted = kernels.double.inverse_dynamics_derivatives
+    if not selected:
+        kernels = kernels_for(replace(scene_of(UR5), name="robot"), ("inverse_dynamics",))
     with jax.enable_x64(True):
         slopes = jax.jit(jax.vmap(jax.jacfwd(kernels.arrays(jnp).inverse_dynamics, (0, 1, 2))))
         given = [*map(jnp.asarray, robot.states(COUNT))]
         calls, root = calls_and_root(slopes.lower(*given).compile().as_text())
         result = slopes(*given)
     assert calls == {"robot_inverse_dynamics_derivatives_double"} and root == "conditional"
-    for x, y in zip(result, kernels.double.inverse_dynamics_derivatives(*given), strict=True):
+    for x, y in zip(result, wanted(*given), strict=True):
         assert np.array_equal(np.asarray(x), y)
 
 

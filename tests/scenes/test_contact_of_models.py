@@ -2,8 +2,10 @@
 
 import math
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -204,3 +206,92 @@ def test_shapes_that_touch_no_body_beside_others_are_noted(tmp_path: Path) -> No
     lines = read_scene(scene(tmp_path, PAIR, base=[SPHERE], hand=[SPHERE, MESH])).unused
     assert any(x == "the mesh of hand touches no other body, other shapes there do; write a table "
                "[effects.contact_pair.LABEL] with second_radius for more" for x in lines)
+
+
+# the humanoid of docs/models.md
+
+def test_a_humanoid_of_a_file_stands_and_moves_its_arm(tmp_path: Path) -> None:
+    """With the scene of the document: after 5 s it is as high as it stood, and upright."""
+    text = (Path(__file__).parents[2] / "docs/models.md").read_text("utf-8")
+    _, _, stands = text.partition("### A humanoid stands")
+    (tmp_path / "stand.toml").write_text(stands.split("```")[1].removeprefix("toml"))
+    legs = "".join(f'''<body pos="0 {y} -0.4"><joint name="{side}_hip" axis="0 1 0"/>
+<geom type="capsule" size="0.04" fromto="0 0 0 0 0 -0.3" contype="0" conaffinity="0"/>
+<body pos="0 0 -0.35"><joint name="{side}_ankle" axis="0 1 0"/>
+<geom type="box" size="0.12 0.05 0.02" pos="0.02 0 -0.03"/></body></body>''' for side, y in (
+        ("left", 0.1), ("right", -0.1)))
+    (tmp_path / "humanoid.xml").write_text(f"""<mujoco><worldbody>
+<geom type="plane" size="1 1 1"/><body name="pelvis" pos="0 0 0.8"><freejoint/>
+<geom type="box" size="0.06 0.12 0.2" pos="0 0 -0.2"/><body pos="0 -0.2 0">
+<joint name="right_elbow" axis="0 1 0"/><geom type="capsule" size="0.03" fromto="0 0 0 0 0 -0.2"/>
+</body>{legs}</body></worldbody></mujoco>""")
+    result = run(tmp_path / "stand.toml")
+    q = result.q[-1].astype(float)
+    assert abs(q[2] - 0.8) < 2e-3 and q[6] > 0.999
+    names = [x.name for x in result.system.scene.model.joints if x.kind.moves]
+    assert names == ["pelvis", "right_elbow", "left_hip", "left_ankle", "right_hip", "right_ankle"]
+    elbow = result.q[:, 7].astype(float)
+    assert 0.3 < elbow.max() < 0.6 and -0.6 < elbow.min() < -0.3
+
+
+# groups
+
+BITS = ((1, 1), (1, 0), (0, 1), (2, 5), (4, 2), (6, 1), (-2**31, 0), (0, 2**31 - 1), (0, 0))
+
+
+def crowd(folder: Path, floor: tuple[int, int], more: str = "") -> Path:
+    """Balls in each other and in the floor, whose contype and conaffinity are BITS and `floor`."""
+    def bits(of: tuple[int, int]) -> str:
+        return f'contype="{of[0]}" conaffinity="{of[1]}"'
+
+    balls = "".join(f'<body name="b{n}"><freejoint/><geom name="g{n}" size="0.1" mass="1" '
+                    f'{bits(of)}/></body>' for n, of in enumerate(BITS))
+    path = folder / "crowd.xml"
+    path.write_text(f'<mujoco><worldbody><geom name="floor" type="plane" size="1 1 1" '
+                    f'{bits(floor)}/>{balls}</worldbody>{more}</mujoco>')
+    return path
+
+
+def touching(path: Path) -> set[frozenset[str]]:
+    """The pairs of bodies that touch in MuJoCo."""
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    body = [model.body(int(model.geom_bodyid[g])).name for g in range(model.ngeom)]
+    return {frozenset(body[int(g)] for g in x.geom) for x in data.contact}
+
+
+@pytest.mark.parametrize("floor", BITS[:-1])
+def test_shapes_touch_the_ground_as_their_groups_say(tmp_path: Path, floor: tuple[int, int]
+                                                     ) -> None:
+    path = crowd(tmp_path, floor, '<contact><pair geom1="g8" geom2="floor"/></contact>')
+    (tmp_path / "crowd.toml").write_text(f'model = "crowd.xml"\n[effects.gravity]\n{ALL}')
+    of = read_scene(tmp_path / "crowd.toml")
+    assert {x.on for x in contacts(of)} == {
+        x for pair in touching(path) if "world" in pair for x in pair} - {"world"}
+    assert not any("cannot touch" in x for x in of.unused)
+
+
+def test_two_bodies_touch_as_their_groups_say(tmp_path: Path) -> None:
+    path = crowd(tmp_path, (1, 1), '<contact><pair geom1="g8" geom2="g7"/></contact>')
+    wanted = touching(path)
+    for pair in combinations([f"b{n}" for n in range(len(BITS))], 2):
+        (tmp_path / "crowd.toml").write_text(
+            'model = "crowd.xml"\n[effects.gravity]\n[effects.contact_pair.of]\nmu = 1\n'
+            f"bodies = {[*pair]}\n")
+        if {*pair} in wanted:
+            assert len(pairs(read_scene(tmp_path / "crowd.toml"))) == 1
+            continue
+        with pytest.raises(SceneError, match=r"bodies: their shapes in the model's file do not "
+                                             r"touch each other \(by contype and conaffinity\); "
+                                             "wanted first_radius"):
+            read_scene(tmp_path / "crowd.toml")
+
+
+def test_a_named_body_whose_groups_touch_no_plane_is_refused(tmp_path: Path) -> None:
+    crowd(tmp_path, (1, 1))
+    (tmp_path / "crowd.toml").write_text(
+        'model = "crowd.xml"\n[effects.gravity]\n[effects.contact.b4]\nmu = 1\n')
+    with pytest.raises(SceneError, match="b4: the sphere of body 'b4' in the model's file touches "
+                                         r"no plane there \(by contype and conaffinity\); wanted"):
+        read_scene(tmp_path / "crowd.toml")

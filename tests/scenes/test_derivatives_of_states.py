@@ -9,12 +9,16 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen import load_scene, run_adjoint
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.function_selection import FunctionsError, all_names
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.integrators import EMITTED, named
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.differentiated import check, check_step, entry
 from tests.support.scenes.scene_texts import SLIDER
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "scenes"
 
 GEARED = """
 [bodies]
@@ -159,3 +163,12 @@ def test_gradient_of_a_run_through_a_bounce(tmp_path: Path) -> None:
         phi = kernels.double.difference(*(x.q for x in reversed(ends)))
         by = np.concatenate([phi, (ends[0].q - ends[1].q)[7:], ends[0].v - ends[1].v]) / 2e-6
         assert own == pytest.approx(by @ np.concatenate([cost, np.ones(6)]), rel=1e-6, abs=1e-6)
+
+
+def test_steps_too_long_for_compilers_are_refused() -> None:
+    """A quadruped with bristles under its feet, by four stages: with what to take instead."""
+    scene = read_scene(EXAMPLES / "landing.toml")
+    with pytest.raises(FunctionsError, match="^landing: step_rk4_derivatives is too long for comp"
+                       "ilers, with more than 600,000 .* wanted step_rk4_tangent, .*_rk4_adjoint"):
+        derive(scene, ("step_rk4_derivatives",))
+    assert {"step_rk4_tangent", "step_rk4_adjoint"} <= {*all_names(scene)}

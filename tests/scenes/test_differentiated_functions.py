@@ -38,7 +38,9 @@ def scene() -> Scene:
 
 WHOLE = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", "energy", "power",
          "momentum", "body_poses", "body_twists", "integrated", "difference", "gravity_torques",
-         "step_leapfrog", "step_linear_implicit_euler"]
+         "torque_regressor", "coriolis_matrix", "energy_gradients", "centroidal_momentum_matrix",
+         "centroidal_momentum_rate", "center_of_mass", "center_of_mass_velocity",
+         "center_of_mass_jacobian", "chart", "step_leapfrog", "step_linear_implicit_euler"]
 
 
 @pytest.mark.parametrize("name", WHOLE)
@@ -46,7 +48,10 @@ def test_they_are_differences_in_50_digits(scene: Scene, name: str) -> None:
     check(scene, entry(scene, name))
 
 
-@pytest.mark.parametrize("stem", ["jacobian_", "acceleration_", "effect_"])
+@pytest.mark.parametrize("stem", [
+    "jacobian_", "point_jacobian_", "aligned_jacobian_", "aligned_point_jacobian_",
+    "world_jacobian_", "acceleration_", "twist_rate_", "point_twist_rate_", "aligned_twist_rate_",
+    "aligned_point_twist_rate_", "world_twist_rate_", "reaction_", "effect_"])
 def test_of_members_of_families(scene: Scene, stem: str) -> None:
     check(scene, [x for x in functions_of(scene) if x.name.startswith(stem)][2])
 
@@ -249,6 +254,16 @@ def test_difference_inverts_motion(scene: Scene) -> None:
             again = results(functions, "difference", {**given, "q1": q1})["phi"]
             for a, b in zip(phi, again, strict=True):
                 assert abs(a - b) <= mpf(10)**-22 * size
+
+
+def test_all_of_a_scene_can_be_derived() -> None:
+    """A function of no inputs has neither tangent nor adjoint."""
+    scene = m.scene(m.pendulum(2, 1), m.gravity(0, 0, -10))
+    selected = resolved(scene, ("*_tangent", "*_adjoint"))
+    assert {"body_poses_tangent", "mass_matrix_adjoint"} <= selected
+    assert not {"linear_parameters_tangent", "base_parameters_adjoint"} & {*all_names(scene)}
+    derived = {f.name for f in derive(scene, selected).functions}
+    assert derived <= selected and {"body_poses_tangent", "mass_matrix_adjoint"} <= derived
 
 
 def test_they_are_selected_by_name_alone() -> None:

@@ -48,6 +48,40 @@ def test_all_with_numbers_means_joints_with_one_coordinate(refusal):
         'is none; wanted a list of names, as ["base"]')
 
 
+SERIES = "".join(f'[bodies.b{x}]\nmass = 1\ninertia = [1, 1, 1]\n[joints.{x}]\ntype = "revolute"\n'
+                 f'child = "b{x}"\nparent = "{y}"\naxis = [1, 0, 0]\n'
+                 for x, y in (("p", "world"), ("q", "bp"), ("r", "bq")))
+
+
+def test_all_means_joints_without_a_table_of_their_own(refusal, tmp_path):
+    path = tmp_path / "arm.toml"
+    path.write_text(f'{SERIES}[effects.viscous]\njoints = "all"\nd = {{ p = 1, r = 3 }}\n'
+                    "[effects.viscous.q]\nd = 2\n", encoding="utf-8")
+    assert [(x.on, x.values["d"]) for x in read_scene(path).effects] == [
+        ("p", 1), ("q", 2), ("r", 3)]
+    listed = '[effects.viscous]\njoints = ["q", "r"]\nd = 1\n[effects.viscous.q]\nd = 2\n'
+    assert refusal(SERIES + listed)[1] == "viscous is given twice for joint 'q'; wanted it once"
+    own = "".join(f"[effects.viscous.{x}]\nd = 1\n" for x in "pqr")
+    assert refusal(f'{SERIES}[effects.viscous]\njoints = "all"\nd = 1\n{own}') == (
+        "effects.viscous.joints", '"all" stands for those without a table of their own, and each '
+        "joint has one; wanted no joints")
+
+
+def test_where_a_model_has_many_joints_an_unknown_key_lists_those_of_the_effect(refusal):
+    many = "".join(f'[bodies.b{i}]\nmass = 1\ninertia = [1, 1, 1]\n[joints.j{i}]\n'
+                   f'type = "free"\nchild = "b{i}"\n' for i in range(30))
+    text = many + '[effects.viscous]\njoints = "all"\nresistance = 1\n'
+    assert refusal(text)[1] == "unknown key; wanted one of d, joints"
+
+
+def test_all_means_bodies_without_a_table_of_their_own(tmp_path):
+    path = tmp_path / "arm.toml"
+    path.write_text(f'{SERIES}[effects.drag]\nbodies = "all"\nrho = 1\narea = 1\n'
+                    "[effects.drag.bq]\nrho = 2\narea = 1\n", encoding="utf-8")
+    assert [(x.on, x.values["rho"]) for x in read_scene(path).effects] == [
+        ("bp", 1), ("bq", 2), ("br", 1)]
+
+
 def test_the_gravity_of_a_field_acts_on_bodies_with_a_mass(refusal, tmp_path):
     massless = "field cannot act on body 'tip', which has no mass"
     for table, where in ((f'{FIELD}bodies = ["hull", "tip"]\n', "bodies"),

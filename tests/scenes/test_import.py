@@ -101,6 +101,8 @@ def test_what_a_scene_does_not_hold_is_in_comments(written):
             "has them\n" in target.read_text())
     _, target = written(SDF, "body.sdf")
     assert "# line 3: <gz:extra> is another tool's and is not used" in target.read_text()
+    _, target = written(URDF.replace('lower="-1"', 'lower="3"'), "wrong.urdf")
+    assert target.read_text().count("lower limit 3 is above the upper one, 2") == 1
 
 
 def test_inertias_that_no_body_has_stay_accepted(tmp_path, capsys):

@@ -80,13 +80,13 @@ def test_what_the_file_says_is_in_the_model(read):
 
 
 def test_bodies_and_joints_may_have_one_name_or_none(read):
-    """Taken names get a _ after them."""
+    """Names that the file does not give get a _ if they are taken."""
     text = """<mujoco><worldbody><body name="arm"><joint name="arm" pos="0.1 0 0"/>
 <geom size="0.1"/><body name="arm/arm"><joint/><geom size="0.1"/><body>
 <joint name="joint1" axis="0 1 0"/>
 <geom size="0.1"/></body></body></body></worldbody></mujoco>"""
     model = read(text).model
-    assert [x.name for x in model.joints] == ["arm", "arm/fixed", "joint1", "joint1_"]
+    assert [x.name for x in model.joints] == ["arm", "arm/fixed", "joint1_", "joint1"]
     assert [x.name for x in model.bodies] == ["arm/arm_", "arm", "arm/arm", "body3"]
 
 
@@ -119,7 +119,8 @@ UNKEPT = {
                   "actuator 'm'"),
     "polynomials   ": ('<actuator><motor name="m" joint="wag" damping="2 1"/></actuator>',
                        "damping of actuator 'm'"),
-    "fluid": ('<option density="1.2"/>', "option density, viscosity or wind")}
+    "fluid": ('<option density="1.2" wind="1 0 0"/>', "option density"),
+    "fluid ": ('<option density="1.2" viscosity="1"/>', "option density and viscosity")}
 SITES = '<site name="x"/><site name="y" pos="0 0 1"/><joint name="wag"'
 PATH = '<tendon><spatial name="s" {}><site site="x"/><site site="y"/><site site="z"/></spatial>' \
     "</tendon>"
@@ -147,6 +148,26 @@ def test_what_no_scene_has_is_refused_or_left_out(read, group, more, old, new, e
     assert f"{element}: left out ({group})" in messages
     scene = read(text, more, scene=f'leave_out = ["{group}"]\n[effects.gravity]\n')
     assert f"{element}: left out ({group})" in scene.unused
+
+
+def test_an_unnamed_free_joint_has_the_name_of_its_body(read):
+    """The name is that of `base = "free"` for other models; named joints keep theirs."""
+    text = ROBOT.replace("<FREE/>", "<freejoint/>").replace('name="wag"', "")
+    assert [x.name for x in read(text).model.joints if x.kind.moves] == [
+        "trunk", "roll", "pitch", "reach", "ankle", "bend", "swing", "joint7"]
+    names = [x.name for x in read(text.replace('"roll"', '"trunk"')).model.joints if x.kind.moves]
+    assert names[:2] == ["trunk_", "trunk"]
+
+
+def test_wind_without_a_fluid_pushes_nothing(read):
+    """Wind makes no passive forces in MuJoCo without a density or viscosity."""
+    text = FREE.replace("<worldbody>", '<option wind="30 0 0"/><worldbody>', 1)
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert model.opt.wind[0] == 30 and not data.qfrc_fluid.any()
+    assert "option wind: pushes nothing, in MuJoCo either, without density or viscosity of a " \
+           "fluid, and is not used" in read(text).unused
 
 
 DRIVES = """<tendon><fixed name="both"><joint joint="roll" coef="0.5"/><joint joint="reach"

@@ -65,7 +65,7 @@ from tests.support.scenes.reading import MODEL, applied
     ("", "[effects.viscous]\njoints = 'all'\nd = -1", "effects.viscous.d", "wanted 0 or more"),
     ("", "[effects.viscous]\njoints = 'all'\nd = 1e999", "effects.viscous.d", "out of range"),
     ("", "[effects.viscous]\njoints = 'all'\nd = 1979-05-27", "effects.viscous.d", "the time"),
-    ("", "[effects.viscous.elbow]\nd = 1\n[effects.viscous]\njoints = 'all'\nd = 1",
+    ("", "[effects.viscous.elbow]\nd = 1\n[effects.viscous]\njoints = ['elbow']\nd = 1",
      "effects.viscous.elbow", "given twice"),
     ("", "[effects.viscous.elbw]\nd = 1", "effects.viscous.elbw", "did you mean 'elbow'?"),
     ("", "[effects.viscous.elbow]\nD = 1", "effects.viscous.elbow.D", "did you mean 'd'?"),

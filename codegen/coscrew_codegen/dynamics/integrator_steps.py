@@ -278,7 +278,7 @@ class _StepWriter:
         if not (scheme.splits and self.scene.has(CLOSING)):
             self._stages(scheme)
             return [*before, *self.calls, *after]
-        test, parts = self._made(CLOSING, "closing"), self._made(PARTS, "count", "part")
+        test, parts = self._test(), self._made(PARTS, "count", "part")
         self.h, timed = "part", self.scene.timed
         self._stages(scheme)
         if timed:
@@ -286,15 +286,21 @@ class _StepWriter:
         moved = (*(("t",) if timed else ()), "q", "v")
         return [*before, Split(test, parts, tuple(self.calls), moved), *after]
 
+    def _test(self) -> Call | None:
+        """The call that tells whether a step is split, unless the number of parts takes about as
+        long: of bodies' contacts the poses take most of both."""
+        test, parts = (len(self._of_scene(x).program.instructions) for x in CONTACTS)
+        return self._made(CLOSING, "closing") if parts > 2 * test else None
+
     def _stages(self, scheme: Composition) -> None:
         passed = Fraction(0)
         for stage in scheme.stages:
             if isinstance(stage, Drift):
                 if scheme.moves_states and self.scene.has(CARRIED):
-                    self._call(CARRIED, "phi", "v")
+                    self._call(CARRIED, "q", "v")
                 else:
                     self._call(self.means.drift((stage.part,)), "phi", u="v")
-                self._call(MOVED, "q")
+                    self._call(MOVED, "q")
                 passed += stage.part
             else:
                 self._accelerate(stage.by, "a", passed, "t_kick", "q", "v")

@@ -350,9 +350,9 @@ class RecordedDynamics:
         return kicks.kick(self._recording)
 
     def carried(self) -> Results:
-        """phi of h/2, and v after it, with free bases that move straight on."""
-        (h,), v = self.argument("h"), self.argument("v")
-        return coordinates.carried(self.recorder, self._tree, self._recording.names, h, v)
+        """q and v after h/2, with free bases that move straight on."""
+        (h,), q, v = (self.argument(x) for x in "hqv")
+        return coordinates.carried(self.recorder, self._tree, self._recording.names, h, q, v)
 
     def state_rates(self) -> Results:
         """x' of effects' states, and q with them within their bounds."""

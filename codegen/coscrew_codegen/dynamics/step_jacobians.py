@@ -27,11 +27,15 @@ from coscrew_codegen.program import Input, Program
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.scene.effect_quantities import count_of, states_of
+from coscrew_codegen.scene.function_selection import FunctionsError
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.scene_function import Results, SceneFunction
 
 BY = ("q", "v", "tau", "p")
 """The inputs by which steps are differentiated."""
+MOST = 600_000
+"""Largest number of derivatives of instructions, of functions that are differentiated as Programs
+along all directions: about 30 MB of C in each precision."""
 Duals = Sequence[Dual[Number]]
 _EXPLICIT, _KICK = "forward_dynamics", "midpoint_acceleration"
 _IMPLICIT = "implicit_acceleration"
@@ -58,7 +62,7 @@ def of_step(x: FunctionRecording, step: SceneFunction, others: OtherFunctions) -
     still: tuple[Number | None, ...] = (None,) * sum(widths.values())
     with x.recorder.part("derivatives"):
         known = taken(others.step_of(step), {a.name: _seeded(x, a.name, widths) for a in given},
-                      Dual(x.recorder.number(0), still), _Chain(x, others).evaluate)
+                      Dual(x.recorder.number(0), still), _Chain(x, step, others).evaluate)
         columns = [[*_velocities(x, known["q"], k), *_slopes(x, known["v"], k)]
                    for k in range(len(still))]
     size = widths["q"] + widths["v"]
@@ -105,8 +109,8 @@ def _velocities(x: FunctionRecording, q: Duals, k: int) -> list[Number]:
 class _Chain:
     """Evaluates the functions that a step calls on numbers with derivatives."""
 
-    def __init__(self, x: FunctionRecording, others: OtherFunctions):
-        self.x, self.others = x, others
+    def __init__(self, x: FunctionRecording, step: SceneFunction, others: OtherFunctions):
+        self.x, self.step, self.others, self.size = x, step, others, 0
 
     def evaluate(self, function: FunctionProgram, given: Sequence[Duals]) -> Duals:
         """The components of the results."""
@@ -122,9 +126,21 @@ class _Chain:
                 slopes = self._combined(_matrices(program, self.x.recorder.replay(
                     program, *map(_values, given))), inputs)
         if slopes is None:
-            return derivatives.along(self.x.recorder.form(function.program), self.x.recorder, given)
+            program = self.x.recorder.form(function.program)
+            self._refuse_many(len(program.instructions) * len(given[0][0].slopes))
+            return derivatives.along(program, self.x.recorder, given)
         values = self.x.recorder.replay(function.program, *map(_values, given))
         return [Dual(y, row) for y, row in zip(values, slopes, strict=True)]
+
+    def _refuse_many(self, more: int) -> None:
+        """Raises FunctionsError once more instructions are differentiated than compilers take."""
+        self.size += more
+        if self.size > MOST:
+            own = self.step.name
+            raise FunctionsError(
+                f"{self.x.scene.name}: {own}_derivatives is too long for compilers, with more than "
+                f"{MOST:,} derivatives of instructions; wanted {own}_tangent, a column of A for "
+                f"each direction, or {own}_adjoint, a row for each weight")
 
     def _implicit(self, name: str, acceleration: Program) -> Program | None:
         """The derivatives of an implicit acceleration, where the rule of implicit functions gives

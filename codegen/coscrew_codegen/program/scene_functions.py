@@ -105,14 +105,20 @@ class Call:
 @dataclass(frozen=True)
 class Split:
     """`calls` once over the whole step h or, if the result of `test` is not zero, once for each
-    part of it; `parts` returns their number and their length, the variable `part`.
+    part of it; `parts` returns their number and their length, the variable `part`.  Without a test
+    `parts` is always called.
 
     With many states at once each takes the number of parts that it needs."""
 
-    test: Call  # returns a number
+    test: Call | None  # returns a number
     parts: Call  # returns the number of parts and the length of each
     calls: tuple[Call, ...]
     moved: tuple[str, ...]  # variables that each part updates for the next: t, q, v
+
+    @property
+    def first(self) -> tuple[Call, ...]:
+        """The calls before `calls`."""
+        return (self.test, self.parts) if self.test else (self.parts,)
 
 
 @dataclass(frozen=True)
@@ -132,8 +138,8 @@ class IntegratorStep:
     @property
     def calls(self) -> tuple[Call, ...]:
         """All calls, in order."""
-        return tuple(call for x in self.body
-                     for call in ((x.test, x.parts, *x.calls) if isinstance(x, Split) else (x,)))
+        return tuple(call for x in self.body for call in (
+            (*x.first, *x.calls) if isinstance(x, Split) else (x,)))
 
 
 @dataclass(frozen=True)

@@ -268,10 +268,11 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
         return its.repeated(self._of, n, t, h, p, q, v, threads)
 
     def sampled(self: _Callable, takes: Sequence[step_calls.Take], p: np.ndarray, q: np.ndarray,
-                v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+                v: np.ndarray, finer: int = 1) -> tuple[np.ndarray, np.ndarray]:
         """q and v of one state after each of consecutive (n, t, h): n steps of h, the first of them
-        at t.  p, q and v are not checked."""
-        return its.sampled(takes, p, q, v)
+        at t, each split as one longer by the factor `finer` would be.  p, q and v are not checked.
+        """
+        return its.sampled(takes, p, q, v, finer)
 
     def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
                q: np.ndarray, v: np.ndarray) -> step_calls.Driven:

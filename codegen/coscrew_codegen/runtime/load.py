@@ -19,7 +19,7 @@ from coscrew_codegen.runtime import callables, compilation, request, scene_libra
 from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.caller_warnings import at_callers_line, warn
 from coscrew_codegen.runtime.request import BOTH, Request
-from coscrew_codegen.scene.function_selection import CONTACTS, FREE, left_out, together
+from coscrew_codegen.scene.function_selection import CONTACTS, FREE, all_names, left_out, together
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tier_selection import known, need_ranges
@@ -160,8 +160,14 @@ class Kernels:
         if xp not in made:
             made[xp] = of_scene(xp, self.interface, lambda: self.functions,
                                 {"double": self.double, "single": self.single},
-                                scene_library.opened, self)
+                                scene_library.opened, self, self._derived)
         return made[xp]
+
+    def _derived(self, name: str) -> SceneFunctions | None:
+        """The function of this name, selected or not, if the scene can have it."""
+        if self.scene is None or name not in all_names(self.scene):
+            return None
+        return request.of_scene(self.scene, (name,), self.precisions).functions()
 
     @functools.cached_property
     def _pickled(self) -> bytes:

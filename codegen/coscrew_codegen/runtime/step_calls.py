@@ -74,6 +74,7 @@ class StepCalls:
     described: Signature
     kind: np.dtype
     run: "CFuncPtr"
+    finer: "CFuncPtr | None"  # where steps may be split into parts
     drive: "CFuncPtr | None"  # where there are parameters that a controller could set
     several: str
     checks: ModuleType
@@ -135,11 +136,14 @@ class StepCalls:
         self.run(n, t, h, p.ctypes.data, q.ctypes.data, v.ctypes.data)
         return q, v
 
-    def sampled(self, takes: Sequence[Take], p: np.ndarray, q: np.ndarray, v: np.ndarray
-                ) -> tuple[np.ndarray, np.ndarray]:
-        """q and v of one state after each of consecutive steps: (…, nq), (…, nv)."""
+    def sampled(self, takes: Sequence[Take], p: np.ndarray, q: np.ndarray, v: np.ndarray,
+                finer: int) -> tuple[np.ndarray, np.ndarray]:
+        """q and v of one state after each of consecutive steps: (…, nq), (…, nv).  Each step is
+        split as one longer by the factor `finer` would be."""
         p, q, v = (np.array(x, self.kind, order="C") for x in (p, q, v))
         at, run = tuple(x.ctypes.data for x in (p, q, v)), self.run
+        if self.finer and finer > 1:
+            at, run = (*at, finer), self.finer
         all_q, all_v = (np.empty((len(takes), *x.shape), self.kind) for x in (q, v))
         for k, take in enumerate(takes):
             run(*take, *at)
@@ -186,12 +190,15 @@ def steps(library: ctypes.CDLL, name: str, several: str, described: Signature, k
     """The steps of this name in C, in a library whose functions run without Python's global lock.
     """
     run, drive = getattr(library, f"run_{name}"), getattr(library, f"drive_{precision}", None)
+    finer = getattr(library, f"finer_{name}", None)
     size, real, address = ctypes.c_ssize_t, ctypes.c_double, ctypes.c_void_p
     run.restype, run.argtypes = None, [size, real, real, *[address] * 3]
+    if finer:
+        finer.restype, finer.argtypes = None, [*run.argtypes, size]
     if drive:
         drive.restype = None
         drive.argtypes = [*[address] * 3, *[size] * 3, real, real, *[address] * 4]
-    return StepCalls(described, kind, run, drive, several, checks, signs)
+    return StepCalls(described, kind, run, finer, drive, several, checks, signs)
 
 
 def _over_all(rows: np.ndarray, lead: tuple[int, ...]) -> np.ndarray:

@@ -178,7 +178,7 @@ class Dynamics(Protocol):
         """These, and q with the states of effects at the end of the kick."""
 
     def carried(self) -> Results:
-        """phi of h/2, and v after it, with free bases that move straight on."""
+        """q and v after h/2, with free bases that move straight on."""
 
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""

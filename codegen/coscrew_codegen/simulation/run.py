@@ -9,12 +9,12 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from copy import copy
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 
 from coscrew_codegen.runtime.step_calls import Take
-from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.divergence_monitor import UNTRIED, Alarm
@@ -232,25 +232,38 @@ def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
 
 def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:
     """Returns the stepping function of the plan's integrator, with fixed parameters."""
-    integrator = INTEGRATOR_NAMED[plan.integrator]
-    step = system.stepper(integrator.step_name, watch)
-    if plan.finer > 1 and integrator.splits and system.has("parts"):
-        step = _in_finer_parts(system, integrator, plan.finer)
+    step_name, finer = INTEGRATOR_NAMED[plan.integrator].step_name, _finer(system, plan)
+    if finer == 1:
+        step = system.stepper(step_name, watch)
+    elif sampler := system.sampler(step_name, finer):
+        step = partial(_last, sampler)
+    else:
+        step = _in_finer_parts(system, step_name, finer)
     return lambda n, k, t, h, q, v: step(n, t, h, q, v)
+
+
+def _last(sampler: Sampler, n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
+    """q and v after n steps."""
+    (q,), (v,) = sampler(((n, t, h),), q, v)
+    return q, v
 
 
 def _sampler(system: System, plan: Plan) -> Sampler | None:
     """Returns the function that takes the steps to several samples, if it is compiled."""
-    integrator = INTEGRATOR_NAMED[plan.integrator]
-    in_parts = plan.finer > 1 and integrator.splits and system.has("parts")
-    return None if in_parts else system.sampler(integrator.step_name)
+    return system.sampler(INTEGRATOR_NAMED[plan.integrator].step_name, _finer(system, plan))
 
 
-def _in_finer_parts(system: System, integrator: Integrator, finer: int
+def _finer(system: System, plan: Plan) -> int:
+    """The factor by which parts of split steps are shorter; 1 if steps are not split."""
+    splits = INTEGRATOR_NAMED[plan.integrator].splits and system.has("parts")
+    return plan.finer if splits else 1
+
+
+def _in_finer_parts(system: System, step_name: str, finer: int
                     ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
     """Returns the stepping function of an integrator that splits steps, with parts shorter by the
-    factor `finer`."""
-    step = system.stepper(integrator.step_name)
+    factor `finer`, in pure NumPy."""
+    step = system.stepper(step_name)
 
     def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
         for k in range(n):

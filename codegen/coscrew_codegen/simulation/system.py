@@ -113,13 +113,14 @@ class System:
 
         return steps
 
-    def sampler(self, name: str) -> "Sampler | None":
+    def sampler(self, name: str, finer: int = 1) -> "Sampler | None":
         """The integrator of one state, if it is compiled: (steps, q, v) -> q and v after each of
-        consecutive (n, t, h), n steps of h from t on."""
+        consecutive (n, t, h), n steps of h from t on, each split as one longer by the factor
+        `finer` would be."""
         several = getattr(getattr(self.kernels, name), "sampled", None)
         if not several or self._p.ndim > 1:
             return None
-        return lambda takes, q, v: several(takes, self._p, q, v)
+        return lambda takes, q, v: several(takes, self._p, q, v, finer)
 
     def driver(self, name: str) -> "Driver | None":
         """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q

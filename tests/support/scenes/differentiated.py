@@ -26,7 +26,7 @@ def arguments(scene: Scene, functions: SceneFunctions, seed: int) -> Values:
     """A state, and numbers for every other input."""
     given, other = state(scene, functions, seed), state(scene, functions, seed + 50)
     return {**given, "h": [H], "phi": other["a"], "q1": other["q"],
-            "c": [mpf(k) / 7 for k in range(9)]}
+            "c": [mpf(k) / 7 for k in range(9)], "r": [mpf(k) / 3 for k in (1, -2, 4)]}
 
 
 def results(functions: SceneFunctions, name: str, given: Values) -> Values:

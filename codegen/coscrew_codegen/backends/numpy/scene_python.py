@@ -111,11 +111,11 @@ def _module(scene: SceneFunctions, plans: Sequence[NestingPlan], banner: str, pr
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
         names.add("nan")
     names |= {"zeros_like"} if any(step.zeros for step in scene.steps) else set()
-    split = any(isinstance(x, Split) for step in scene.steps for x in step.body)
-    names |= {"ones_like"} if split else set()
+    splits = [x for step in scene.steps for x in step.body if isinstance(x, Split)]
+    names |= {"ones_like"} if any(x.test for x in splits) else set()
     helpers = ["components", "assembled", "delivered",
                *(["arrays", "spread"] if scene.steps else []),
-               *(["rounds", "merged"] if split else [])]
+               *(["rounds", "merged"] if splits else [])]
     made = [*(_function(scene, f, plan, precision)
               for f, plan in zip(functions, plans, strict=True)),
             *(_step(scene, step, precision) for step in scene.steps)]

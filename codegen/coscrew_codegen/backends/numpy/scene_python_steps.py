@@ -25,8 +25,9 @@ def step_lines(scene: SceneFunctions, step: IntegratorStep) -> list[str]:
     def statement(x: Call | Split) -> dict[str, object]:
         if isinstance(x, Call):
             return {"call": call(x)}
-        (test,), (count, part) = x.test.results, x.parts.results
-        return {"call": "", "test": test, "count": count, "part": part, "tested": call(x.test),
+        (count, part), test = x.parts.results, x.test
+        return {"call": "", "test": test and test.results[0], "count": count, "part": part,
+                "tested": test and call(test),
                 "parted": call(x.parts), "calls": [call(y) for y in x.calls],
                 "moved": ", ".join(x.moved)}
 

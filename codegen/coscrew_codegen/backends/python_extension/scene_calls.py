@@ -4,9 +4,10 @@
 names.  The function calls the first of these with its arguments unless it can take them.  `many_…`
 takes n states: a pointer to each input and the numbers from one row to the next (0: all share one
 row), and likewise each output; it shares them among threads, which call `lanes_…`, the function of
-many states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on;
-`drive_double` takes them of many states, and calls a controller in between.  All work in Python
-without its headers.
+many states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on, and
+`finer_…`, where steps may be split, in parts as short as those of a longer step; `drive_double`
+takes them of many states, and calls a controller in between.  All work in Python without its
+headers.
 """
 
 from collections.abc import Collection, Iterable, Iterator
@@ -18,7 +19,12 @@ from coscrew_codegen.backends.scene import scene_text
 from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
-from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
+from coscrew_codegen.program.scene_functions import (
+    SceneFunctions,
+    SceneInterface,
+    Signature,
+    Split,
+)
 from coscrew_codegen.program.values.formats import SINGLE, Precision, named
 
 BINDING = "calls/binding.c"
@@ -86,7 +92,9 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
     signatures = callables(scene)
     driven = bool(scene.steps and scene.parameters)
     state = {"STATE_Q": scene.nq, "STATE_V": scene.nv, "STATE_P": len(scene.parameters)}
+    splits = any(isinstance(x, Split) for step in scene.steps for x in step.body)
     sections = [{"precision": p, "single": int(p is SINGLE), **_lanes_of_runs(scene, p),
+                 "binding": "finer" if splits else "function",
                  "functions": [_function(scene, f, p) for f in signatures]}
                 for p in named(precisions)]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
@@ -131,7 +139,17 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
         "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x in inputs)
         if function.repeats else "",
+        "split": _split(scene, function.name, precision) if function.repeats else "",
     }
+
+
+def _split(scene: SceneFunctions, step: str, precision: Precision) -> str:
+    """The functions that say into how many parts a step is split: whether it is, and their number;
+    "" if it never is."""
+    split = next((x for of in scene.steps if of.name == step for x in of.body
+                  if isinstance(x, Split)), None)
+    return ", ".join(f"&about_{c_name(scene, x.function, precision)}" if x else "NULL"
+                     for x in (split.test, split.parts)) if split else ""
 
 
 def _of_states(function: Signature) -> Iterator[tuple[str, str]]:

@@ -19,20 +19,20 @@ from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
 NAME = "coscrew_runtime.h"
 BANNER = ("Made by `coscrew generate SCENE`, the same for every scene; "
           "changes are overwritten.")
-_NO_FINGERPRINT = "0"
+_NO_FINGERPRINT = "0x00000000"
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _ERROR = re.compile(r"\bksl_product_(error|rest)f?\(|\bksl_\w+_error(_[0-9]+)?f?\(")
 
 
 def files() -> dict[str, str]:
     """The header, by its path."""
-    return {NAME: _text(fingerprint())}
+    return {NAME: _text().replace(_NO_FINGERPRINT, fingerprint())}
 
 
 @cache
 def fingerprint() -> str:
     """The header's code as a number: 32 bits of a hash of its words, without comments."""
-    words = " ".join(_COMMENT.sub(" ", _text(_NO_FINGERPRINT)).split())
+    words = " ".join(_COMMENT.sub(" ", _text()).split())
     return f"0x{sha256(words.encode()).hexdigest()[:8]}"
 
 
@@ -42,8 +42,10 @@ def with_errors(bodies: Iterable[str]) -> bool:
 
 
 @cache
-def _text(fingerprint: str) -> str:
-    return render("scene/runtime.h", banner=BANNER, fingerprint=fingerprint, products=PRECISIONS,
+def _text() -> str:
+    """The header, without its fingerprint."""
+    return render("scene/runtime.h", banner=BANNER, fingerprint=_NO_FINGERPRINT,
+                  products=PRECISIONS,
                   sections=[{"precision": p, "condition": "DBL_MANT_DIG == 53" * (p == DOUBLE),
                              "functions": _written(p, ELEMENTARY),
                              "exact": [f"ksl_product_{x}{p.suffix}" for x in ("error", "rest")],

@@ -56,7 +56,7 @@ class _Body:
         shapes = self._shapes()
         self.scalars |= {name for name, length in shapes.items() if not length}
         split = next((x for x in self.step.body if isinstance(x, Split)), None)
-        own = {x for call in (split.test, split.parts) for x in call.results} if split else set()
+        own = {x for call in split.first for x in call.results} if split else set()
         declared = [f"{name}[{length}]" if length else name
                     for name, length in shapes.items() if name not in own]
         return render(
@@ -88,9 +88,9 @@ class _Body:
         """The values for the template."""
         if isinstance(statement, Call):
             return {"call": self._call(statement)}
-        (test,), (count, part) = statement.test.results, statement.parts.results
-        return {"call": "", "test": test, "count": count, "part": part,
-                "tested": self._call(statement.test), "parted": self._call(statement.parts),
+        test, (count, part) = statement.test, statement.parts.results
+        return {"call": "", "test": test and test.results[0], "count": count, "part": part,
+                "tested": test and self._call(test), "parted": self._call(statement.parts),
                 "calls": [self._call(x) for x in statement.calls],
                 "numbers": [x for x in statement.moved if x in self.scalars],
                 "arrays": self._arrays([x for x in statement.moved if x not in self.scalars])}

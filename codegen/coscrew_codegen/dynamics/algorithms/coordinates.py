@@ -6,7 +6,6 @@ from coscrew_codegen.algebra.recording.numbers import (
     Number,
     add,
     rotated,
-    rotated_back,
     scaled,
     subtract,
 )
@@ -34,26 +33,22 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
     return [*results, *q[tree.nq:]]
 
 
-def carried(recorder: Recorder, tree: Tree, names: Sequence[str], h: Number, v: Sequence[Number]
-            ) -> tuple[list[Number], list[Number]]:
-    """phi of h/2 and v after it.  Of a free base, whose v = (R^T x'; ω), x' stays the same: phi is
-    (J_l(h/2 ω)⁻¹ h/2 R^T x'; h/2 ω), and v becomes (Exp(-h/2 ω) R^T x'; ω)."""
-    displacements: list[Number] = []
-    speeds: list[Number] = []
+def carried(recorder: Recorder, tree: Tree, names: Sequence[str], h: Number, q: Sequence[Number],
+            v: Sequence[Number]) -> tuple[list[Number], list[Number]]:
+    """q and v after h/2.  Of a free base, whose v = (R^T x'; ω), x' stays the same: it moves by
+    h/2 x' and turns by h/2 ω, and v becomes (Exp(-h/2 ω) R^T x'; ω)."""
+    with recorder.part("phi"):
+        phi = scaled(h / 2, v)
+    moved, speeds = integrated(recorder, tree, names, q, phi), list(v)
     for name, link in zip(names, tree.links, strict=True):
-        if link.driver:
-            continue
-        with recorder.part(name, "phi", link.heading):
-            own = tuple(v[link.v.start:link.v.stop])
-            moved = scaled(h / 2, own)
-            if carries(link):
-                turned, call = moved[3:], recorder.call
-                J = call("SO3_leftJacobianInverse", turned)
-                moved = (*rotated(J, moved[:3]), *turned)
-                own = (*rotated_back(call("SO3_exp", turned), own[:3]), *own[3:])
-            displacements += moved
-            speeds += own
-    return displacements, speeds
+        if carries(link):
+            at, along, turn = link.q.start, link.v.start, link.v.start + 3
+            with recorder.part(name, "q", link.heading):
+                R = recorder.call("mat3x3_from_quaternion", q[at + 3:link.q.stop])
+                moved[at:at + 3] = add(q[at:at + 3], rotated(R, phi[along:turn]))
+                speeds[along:turn] = recorder.call("rotate_qconjv", recorder.call(
+                    "quaternion_exp", phi[turn:link.v.stop]), v[along:turn])
+    return moved, speeds
 
 
 def carries(link: Link) -> bool:

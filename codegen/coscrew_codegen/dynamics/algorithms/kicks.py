@@ -52,12 +52,13 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 
 
 def weights(h: Number) -> Weights:
-    """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
+    """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h; the
+    rate is d over the inertia that it acts on, or d if that is given.
 
     Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
-    def represented(d: Number, k: Number, rate: Number, stiffening: Number | int = 0
-                    ) -> tuple[Number, Number]:
-        beyond = _beyond(h, rate + h * stiffening)
+    def represented(d: Number, k: Number, rate: Number, stiffening: Number | int = 0,
+                    inertia: Number | int = 1) -> tuple[Number, Number]:
+        beyond = _beyond(h, rate + h * stiffening, inertia)
         return (beyond + Fraction(1, 2)) * (h * (d + h * k / 2)), beyond * (h * k)
     return represented
 
@@ -67,9 +68,9 @@ def end_weights(h: Number) -> Weights:
     return lambda d, k, *_: ((d + k * h) * h, k * h)
 
 
-def _beyond(h: Number, rate: Number) -> Number:
-    """θ - ½, correct also for an infinite rate."""
-    return Fraction(1, 2) - 1 / (2 + h * rate)
+def _beyond(h: Number, rate: Number, inertia: Number | int = 1) -> Number:
+    """θ - ½ for a rate over an inertia, correct also for an infinite rate."""
+    return Fraction(1, 2) - inertia / (2 * inertia + h * rate)
 
 
 def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:

@@ -21,7 +21,7 @@ from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.exerted_forces import AppliedForce
 from coscrew_codegen.dynamics.forces.soft_rows import Weights
-from coscrew_codegen.scene.effect import PointSlopes, Slopes, required
+from coscrew_codegen.scene.effect import Force, PointSlopes, Slopes, required
 
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
@@ -44,11 +44,12 @@ def resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], we
     for number, body in enumerate(rigids):
         with motion.part(number, "B"):
             for force in acting.resisting(number):
-                across, _ = _represented(force.across, body, weights)
+                represented = _of_contact if force.force.contact else _represented
+                across, _ = represented(force.across, body, weights)
                 bodies[number] = _with_mass(bodies[number], across, force.point_in_link)
                 if force.along:
                     slopes, e = force.along
-                    along, _ = _represented(slopes, body, weights)
+                    along, _ = represented(slopes, body, weights)
                     rows.append(LinkRow(number, along - across, e))
                 if force.turning:
                     turning, e = force.turning
@@ -71,26 +72,46 @@ def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number,
     return weights(slopes.damping, slopes.stiffness, slopes.damping / m, slopes.stiffness / m)
 
 
+def _of_contact(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
+    """Likewise of a contact, in one division."""
+    d, k = slopes.damping, slopes.stiffness
+    return weights(d, k, d, k, maximum(body.m, _LEAST))
+
+
 def with_slopes(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
-           start: AppliedEffects, rigids: Sequence[Rigid], weights: Weights) -> list[Wrench]:
+                start: AppliedEffects, rigids: Sequence[Rigid], weights: Weights) -> list[Wrench]:
     """The wrenches that links need, with D (u - u_start) - c u_start added to the forces with
     slopes D, u the velocity of their point."""
     results = list(wrenches)
     for number, body in enumerate(rigids):
         with motion.part(number, "f"):
-            for force in start.resisting(number):
+            for force, now in zip(start.resisting(number), acting.resisting(number), strict=True):
                 before, along = start.motion.twist(number), force.along
-                if start is not acting:
-                    faster = subtract(motion.twist(number), before)
-                    results[number] = subtract(results[number], _push(
-                        force, faster, force.across.damping, along and along[0].damping))
-                    if force.turning:
-                        results[number] = subtract(results[number], _turn(*force.turning, faster))
-                _, c = _represented(force.across, body, weights)
-                c_along = along and _represented(along[0], body, weights)[1]
-                if not c.is_zero or c_along and not c_along.is_zero:
-                    results[number] = add(results[number], _push(force, before, c, c_along))
+                faster = None if start is acting else subtract(motion.twist(number), before)
+                if force.force.contact:
+                    results[number] = subtract(results[number], _held(force, now, body, weights))
+                else:
+                    if faster:
+                        results[number] = subtract(results[number], _push(
+                            force, faster, force.across.damping, along and along[0].damping))
+                    _, c = _represented(force.across, body, weights)
+                    c_along = along and _represented(along[0], body, weights)[1]
+                    if not c.is_zero or c_along and not c_along.is_zero:
+                        results[number] = add(results[number], _push(force, before, c, c_along))
+                if faster and force.turning:
+                    results[number] = subtract(results[number], _turn(*force.turning, faster))
     return results
+
+
+def _held(force: AppliedForce, now: AppliedForce, body: Rigid, weights: Weights) -> Wrench:
+    """The wrench on a link of a contact's D (u - u_start) - c u_start, at its point."""
+    point, (along, _) = required(force.force.point), required(force.along)
+    start, n = force.state.velocity(point), required(force.normal)
+    faster, d = subtract(now.state.velocity(point), start), force.across.damping
+    c, c_along = (_of_contact(x, body, weights)[1] for x in (force.across, along))
+    push = subtract(scaled(d, faster), scaled(c, start))
+    more = (along.damping - d) * dot(n, faster) - (c_along - c) * dot(n, start)
+    return AppliedForce(force.state, Force(point, add(push, scaled(more, n)))).on_link
 
 
 def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | None) -> Wrench:

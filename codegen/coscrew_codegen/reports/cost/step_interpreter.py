@@ -60,10 +60,11 @@ class StepRun:
             values[name] = result[part]
 
     def _split(self, split: Split, values: dict[str, Numbers]) -> None:
-        (test,), (count, length) = split.test.results, split.parts.results
-        self._call(split.test, values)
+        count, length = split.parts.results
         values |= {count: [self._number(1)], length: values["h"]}
-        if values[test][0]:
+        if split.test:
+            self._call(split.test, values)
+        if not split.test or values[split.test.results[0]][0]:
             self._call(split.parts, values)
         times = values[count][0]
         for _ in range(int(times) if times == times else 0):  # NaN: the run has stopped

@@ -27,14 +27,14 @@ LONGEST = 30_000
 @dataclass(frozen=True, eq=False)
 class ArrayFunction:
     """A plain Program as a function of arrays with leading axes.  `smooth` is the same function
-    and is differentiated in its place; `derivatives` has the derivatives of each result by each
-    input, where a function of its own gives them."""
+    and is differentiated in its place; `derivatives` returns the derivatives of each result by
+    each input, where a function of its own gives them."""
 
     name: str  # arm_inverse_dynamics: that of its function in C
     program: Program
     smooth: Program | None = None
     compile: Compile | None = None  # if it is to be in C where arrays lie in a processor's memory
-    derivatives: "ArrayFunction | None" = None
+    derivatives: "Callable[[], ArrayFunction | None]" = lambda: None
     _printed: dict[tuple[str, str], Callable[..., list[Any]]] = field(default_factory=dict)
 
     @property
@@ -66,8 +66,8 @@ class ArrayFunction:
     def jacobian(self) -> "ArrayFunction | None":
         """x -> ∂y/∂x of each result by each input; None for operations, whose slopes may be
         infinite, and for functions whose Jacobian is too long."""
-        if self.derivatives:
-            return self.derivatives
+        if own := self.derivatives():
+            return own
         program, columns = self.smooth or self.program, sum(prod(shape) for _, shape in self.inputs)
         if not self.compile or columns * len(program.instructions) > LONGEST:
             return None

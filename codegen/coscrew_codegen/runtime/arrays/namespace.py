@@ -30,6 +30,8 @@ Made = Callable[..., Any]
 """A function of arrays, whose arguments its docstring names."""
 Pickled = tuple[Callable[..., object], tuple[object, ...]]
 """As `__reduce__` returns it."""
+Others = Callable[[str], "SceneFunctions | None"]
+"""Derives the function of this name; None if the scene cannot have it."""
 
 
 class Arrays:
@@ -68,10 +70,12 @@ class Arrays:
 
 
 def of_scene(xp: ModuleType, interface: SceneInterface, functions: Callable[[], SceneFunctions],
-             on_numpy: Mapping[str, object], compile: Compile, kernels: object) -> Arrays:
+             on_numpy: Mapping[str, object], compile: Compile, kernels: object,
+             others: Others = lambda name: None) -> Arrays:
     """The functions of a scene, and steps of integrators, on arrays of a library; `on_numpy` has
-    them on NumPy's, by precision.  They are pickled as those of `kernels`.  Raises TypeError for
-    anything but a namespace of arrays, and for functions of a tier."""
+    them on NumPy's, by precision; `others` derives functions that are not selected.  They are
+    pickled as those of `kernels`.  Raises TypeError for anything but a namespace of arrays, and for
+    functions of a tier."""
     library = library_of(xp)
     if interface.mark:
         raise TypeError(f"arrays: the functions of the {interface.mark} tier are in C and NumPy "
@@ -83,11 +87,11 @@ def of_scene(xp: ModuleType, interface: SceneInterface, functions: Callable[[], 
             _of_numpy, ArraySignature(x.name, x.inputs, interface.precisions), "\n\n".join(x.words),
             library, {name: getattr(on_numpy[name], x.name) for name in interface.precisions})
             for x in interface.signatures})
-    made = _OfScene(functions(), library, backend_of(library), compile)
+    made = _OfScene(functions(), library, backend_of(library), compile, others)
     steps = {x.name: partial(made.step, x) for x in made.scene.steps if not _divides(x)}
-    others = {f.name: partial(made.function, f.name) for f in made.scene.functions
+    single = {f.name: partial(made.function, f.name) for f in made.scene.functions
               if not f.internal}
-    return Arrays(about, pickled, others | steps,
+    return Arrays(about, pickled, single | steps,
                   {x.name: "; where each state divides the step as it needs, C and NumPy have it "
                    "alone" for x in made.scene.steps if _divides(x)})
 
@@ -124,9 +128,9 @@ class _OfScene:
     """Makes functions of a scene, each once."""
 
     def __init__(self, scene: SceneFunctions, library: ArrayLibrary, backend: Backend,
-                 compile: Compile):
+                 compile: Compile, others: Others):
         self.scene, self._library, self._backend = scene, library, backend
-        self._compile = compile
+        self._compile, self._others = compile, others
         self._made: dict[str, Made] = {}
         self._functions: dict[str, ArrayFunction] = {}
 
@@ -139,24 +143,26 @@ class _OfScene:
         return self._made[name]
 
     def _array_function(self, name: str) -> ArrayFunction:
-        """The function, with its derivatives if the scene has them."""
+        """The function, with its derivatives if the scene can have them."""
         if name not in self._functions:
             program = self.scene.named(name).program
-            slopes = f"{name}_derivatives"
             self._functions[name] = ArrayFunction(
                 f"{self.scene.name}_{name}", program, compile=self._compile,
-                derivatives=self._array_function(slopes) if self._has(slopes, program) else None)
+                derivatives=lambda: self._derivatives(f"{name}_derivatives", program))
         return self._functions[name]
 
-    def _has(self, name: str, program: Program) -> bool:
-        """Returns whether the scene has a function of this name that gives the derivatives of each
-        result of a program by each input; those along velocities are those by coordinates where
-        these are plain numbers."""
-        return self.scene.nq == self.scene.nv and any(
-            f.name == name and f.inputs == program.inputs and [
-                a.quantity.size for a in f.program.outputs] == [
-                y.quantity.size * x.quantity.size for y in program.outputs for x in program.inputs]
-            for f in self.scene.functions)
+    def _derivatives(self, name: str, program: Program) -> ArrayFunction | None:
+        """The function of this name, selected or not, if it gives the derivatives of each result of
+        a program by each input; those along velocities are those by coordinates where these are
+        plain numbers."""
+        if self.scene.nq != self.scene.nv or {"t", "p"} & {a.name for a in program.inputs}:
+            return None
+        scene = self.scene if self.scene.has(name) else self._others(name)
+        if scene is None or (f := scene.named(name)).inputs != program.inputs or [
+                a.quantity.size for a in f.program.outputs] != [
+                y.quantity.size * x.quantity.size for y in program.outputs for x in program.inputs]:
+            return None
+        return ArrayFunction(f"{scene.name}_{name}", f.program, compile=self._compile)
 
     def step(self, step: IntegratorStep) -> Made:
         shapes, library = scene_text.step_shapes(self.scene), self._library

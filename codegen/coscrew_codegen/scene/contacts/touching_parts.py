@@ -8,7 +8,8 @@ from math import isqrt
 from math import sqrt as root_of
 
 from coscrew_codegen.scene.effect import Given
-from coscrew_codegen.scene.mechanism.collision import Collision
+from coscrew_codegen.scene.mechanism.collision import PLANE, Collision
+from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.rotations import turned
 
 SHAPE_KEYS = ("shape", "point", "radius", "axis", "length", "size")
@@ -23,9 +24,15 @@ _Z = (Fraction(0), Fraction(0), Fraction(1))
 _Offsets = list[tuple[Fraction, ...]]
 
 
-def touches(shape: Collision) -> bool:
-    """Returns whether it is a shape of a model's file that can touch."""
-    return shape.shape in SHAPES and not shape.problem
+def touches(shape: Collision, model: Model) -> bool:
+    """Returns whether a shape of a model's file can touch the ground."""
+    return shape.shape in SHAPES and not shape.problem and meets_planes(shape, model)
+
+
+def meets_planes(shape: Collision, model: Model) -> bool:
+    """Returns whether the groups of a shape let it touch a plane of the file, if it has planes."""
+    planes = [x for x in model.collisions if x.shape == PLANE]
+    return not planes or any(map(shape.may_touch, planes))
 
 
 def parts(values: Given) -> Sequence[Given]:

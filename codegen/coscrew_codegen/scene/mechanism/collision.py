@@ -44,6 +44,13 @@ class Collision:
     # one has a bit of the second of the other; None: the file says nothing of it
     problem: str = ""  # why it cannot be used; "" if it can
 
+    def may_touch(self, other: "Collision") -> bool:
+        """Returns whether the groups of two shapes let them touch."""
+        if self.groups is None or other.groups is None:
+            return True
+        (a, to_a), (b, to_b) = self.groups, other.groups
+        return bool(a & to_b or b & to_a)
+
 
 def unusable(name: str, body: str, problem: str) -> Collision:
     """A shape that cannot be used."""

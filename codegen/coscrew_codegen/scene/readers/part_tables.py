@@ -9,9 +9,14 @@ from math import sqrt
 from typing import cast
 
 from coscrew_codegen.scene.contacts.closeness import MOST_AT_REST, Resting
-from coscrew_codegen.scene.contacts.touching_parts import SHAPE_KEYS, SHAPES, touches
+from coscrew_codegen.scene.contacts.touching_parts import (
+    SHAPE_KEYS,
+    SHAPES,
+    meets_planes,
+    touches,
+)
 from coscrew_codegen.scene.effect import required
-from coscrew_codegen.scene.mechanism.collision import Collision
+from coscrew_codegen.scene.mechanism.collision import PLANE, Collision
 from coscrew_codegen.scene.mechanism.model import WORLD, Model, value
 from coscrew_codegen.scene.mechanism.notices import COLLISION, Notice
 from coscrew_codegen.scene.names import toml_key
@@ -56,11 +61,14 @@ def _on_body(reading: EffectTable, table: TomlTable, given: Mapping[str, object]
     settings = {key: x for key, x in given.items() if key != "bodies"}
     values = reading.values(table, settings, body)
     shapes = () if any(key in given for key in SHAPE_KEYS) else shapes_of(reading.model, body)
-    usable = [x for x in shapes if touches(x)]
+    usable = [x for x in shapes if touches(x, reading.model)]
     if shapes and not usable:
+        met = any(meets_planes(x, reading.model) for x in shapes)
+        what = "cannot touch" if met else (
+            f"touch{'es' * (len(shapes) == 1)} no {PLANE} there (by contype and conaffinity)")
         table.refuse("bodies" if "bodies" in given else "",
-                     f"{listed(shapes)} of body {body!r} in the model's file cannot touch; wanted "
-                     f"a shape, as shape = \"sphere\" with radius, in a table of {body!r}")
+                     f"{listed(shapes)} of body {body!r} in the model's file {what}; wanted a "
+                     f"shape, as shape = \"sphere\" with radius, in a table of {body!r}")
     of_shape, of_values = required(reading.effect.parts_of), required(reading.effect.parts)
     parts = [y for x in usable for y in of_shape(values, x)] if usable else of_values(values)
     for number, part in enumerate(cast("Sequence[dict[str, Setting]]", parts)):
@@ -90,7 +98,7 @@ def _all_bodies(reading: EffectTable, elsewhere: set[str]) -> tuple[str, ...]:
     if table.values.get("bodies", ALL) != ALL:
         table.refuse("bodies", f'{described(table.values["bodies"])}; wanted "{ALL}" or a list of '
                                "names")
-    shaped = {x.body for x in reading.model.collisions if touches(x)}
+    shaped = {x.body for x in reading.model.collisions if touches(x, reading.model)}
     names = tuple(x for x in reading.targets if x in shaped - elsewhere and links[x] != WORLD)
     if not names:
         table.refuse("", f"no body that moves has collision shapes ({', '.join(SHAPES)}) in the "
@@ -100,9 +108,12 @@ def _all_bodies(reading: EffectTable, elsewhere: set[str]) -> tuple[str, ...]:
 
 
 def _note_unused(reading: EffectTable, bodies: set[str]) -> None:
-    """Note the shapes of the model's file that cannot touch, though others of their bodies do."""
-    shapes = [x for x in reading.model.collisions if x.body in bodies and not touches(x)]
-    taken = [x for x in shapes if any(touches(y) for y in shapes_of(reading.model, x.body))]
+    """Note the shapes of the model's file that cannot touch, though others of their bodies do and
+    the file means them to."""
+    model = reading.model
+    shapes = [x for x in model.collisions if x.body in bodies and not touches(x, model)
+              and meets_planes(x, model)]
+    taken = [x for x in shapes if any(touches(y, model) for y in shapes_of(model, x.body))]
     if taken:
         names = [*dict.fromkeys(x.body for x in taken)]
         more = ", …" * (len(names) > MANY)

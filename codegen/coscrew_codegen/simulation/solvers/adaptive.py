@@ -15,6 +15,7 @@ from scipy.integrate import OdeSolver
 from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.function_selection import CLOSED, STATE_RATES, SWITCHES
 from coscrew_codegen.scene.integrators import ADAPTIVE
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.plan import Plan
 from coscrew_codegen.simulation.solvers.events import Events
@@ -84,11 +85,11 @@ def _state(system: System, t: float, y: np.ndarray) -> State:
 def rates_of(system: System) -> Rates:
     """(t, y) -> y'.  (…), (…, nq + nv)->(…, nq + nv)."""
     nq, nv = system.functions.nq, system.functions.nv
-    tau = np.zeros(nv)
+    tau, rates_of_coordinates = np.zeros(nv), _coordinate_rates(system)
 
     def rates(t: float, y: np.ndarray) -> np.ndarray:
         q, v = system.normalized(y[..., :nq]), y[..., nq:]
-        moved = _q_rates(system, y[..., :nq], q, v)
+        moved = rates_of_coordinates(y[..., :nq], q, v)
         if system.has(STATE_RATES):
             x_rates, q = system.outputs(STATE_RATES, t=t, q=q, v=v)
             moved[..., nq - x_rates.shape[-1]:] = x_rates
@@ -98,12 +99,22 @@ def rates_of(system: System) -> Rates:
     return rates
 
 
-def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """The rates of the coordinates r; q is r with normalized quaternions."""
-    result = np.empty(q.shape)
-    for c in system.functions.coordinates:
-        result[..., c.q] = coordinate_rates.rates(c.kind, r[..., c.q], q[..., c.q], v[..., c.v])
-    return result
+def _coordinate_rates(system: System) -> Callable[..., np.ndarray]:
+    """(r, q, v) -> the rates of the coordinates r; q is r with normalized quaternions.
+
+    Rates that are velocities, the most of a robot, are taken at once."""
+    turning = [c for c in system.functions.coordinates if KIND_NAMED[c.kind].manifold]
+    others = [c for c in system.functions.coordinates if not KIND_NAMED[c.kind].manifold]
+    places, speeds = [k for c in others for k in c.q], [k for c in others for k in c.v]
+
+    def coordinates(r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        result = np.empty(q.shape)
+        result[..., places] = v[..., speeds]
+        for c in turning:
+            result[..., c.q] = coordinate_rates.rates(c.kind, r[..., c.q], q[..., c.q], v[..., c.v])
+        return result
+
+    return coordinates
 
 
 def jacobian_of(system: System, rates: Rates) -> Rates:

@@ -14,7 +14,7 @@ from coscrew_codegen.scene.scene_function import Depends, SceneFunction
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The function's adjoint."""
-    if not differentiable(function):
+    if not differentiable(function, scene):
         return None
     results = outputs_of(function, scene)
     return replace(

@@ -1,16 +1,8 @@
 """Half a drift of bases that touch the ground."""
 
-from coscrew_codegen.scene import units
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.scene_function import (
-    Array,
-    AxisLength,
-    Depends,
-    SceneFunction,
-    Situation,
-    V,
-)
+from coscrew_codegen.scene.scene_function import Depends, Q, SceneFunction, Situation, V
 
 
 def lacks(its: Situation) -> str:
@@ -25,8 +17,6 @@ def carries(scene: Scene) -> bool:
 
 
 FUNCTION = SceneFunction(
-    "carried_half_drift", 148, "phi, v: the displacement along the velocities in h/2, and the "
-    "velocities after it: those of a free base stay the same in the world and turn in its frame, "
-    "so that it moves straight on", "h v",
-    (Array("phi", (AxisLength.NV,), units.displacements), V), lambda x: x.carried(),
-    Depends.GEOMETRY, internal=True, lacks=lacks)
+    "carried_half_drift", 148, "q, v: the coordinates after h/2, and the velocities: those of a "
+    "free base stay the same in the world and turn in its frame, so that it moves straight on",
+    "h q v", (Q, V), lambda x: x.carried(), Depends.GEOMETRY, internal=True, lacks=lacks)

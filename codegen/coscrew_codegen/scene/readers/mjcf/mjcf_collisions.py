@@ -12,6 +12,8 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals, shape_o
 if TYPE_CHECKING:
     import mujoco
 
+_BITS = 2**32 - 1
+
 
 def collisions(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals) -> Iterator[Collision]:
     """The shapes, in the order of the geoms."""
@@ -39,4 +41,13 @@ def _collision(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals, geo
         name, body, shape, size, exact(model.geom_pos[geom]), from_quaternion((x, y, z, w)),
         Friction(sliding, sliding, torsional, rolling),
         seen.mesh(int(model.geom_dataid[geom])) if shape == MESH else None,
-        groups=(int(model.geom_contype[geom]), int(model.geom_conaffinity[geom]))))
+        groups=_groups(model, geom)))
+
+
+def _groups(model: "mujoco.MjModel", geom: int) -> tuple[int, int]:
+    """contype and conaffinity, as bits; each <pair> has a further bit of its own."""
+    own, others = (int(x[geom]) & _BITS for x in (model.geom_contype, model.geom_conaffinity))
+    for i in range(model.npair):
+        own |= (model.pair_geom1[i] == geom) * (_BITS + 1) << i
+        others |= (model.pair_geom2[i] == geom) * (_BITS + 1) << i
+    return own, others

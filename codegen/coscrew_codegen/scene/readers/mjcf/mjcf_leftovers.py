@@ -54,12 +54,18 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, st
         yield "actuators", name
     yield from unkept_rotors(model, names)
     yield from _of_joints(model, names)
-    if model.opt.density or model.opt.viscosity or model.opt.wind.any():
-        yield "fluid", "option density, viscosity or wind"
+    if of := _fluid(model):
+        yield "fluid", f"option {' and '.join(of)}"
     if model.nflex:
         yield "flexes", "flex"
     if model.nplugin:
         yield "plugins", "plugin"
+
+
+def _fluid(model: "mujoco.MjModel") -> list[str]:
+    """The options of the fluid around all bodies; without them, wind pushes nothing."""
+    given = {"density": model.opt.density, "viscosity": model.opt.viscosity}
+    return [name for name, number in given.items() if number]
 
 
 def _equalities(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, str]]:
@@ -99,6 +105,9 @@ def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
         elif idle(model, e):
             yield Notice(_OTHER, f"equality {e}", f"equality {model.equality(e).name or e!r}: "
                          "holds bodies that cannot move against each other, and is not used")
+    if model.opt.wind.any() and not _fluid(model):
+        yield Notice(_OTHER, "option wind", "option wind: pushes nothing, in MuJoCo either, "
+                     "without density or viscosity of a fluid, and is not used")
     yield from _unlike_efforts(model, names)
     for i in range(model.npair):
         pair = " and ".join(model.geom(int(g)).name or f"geom {g}"

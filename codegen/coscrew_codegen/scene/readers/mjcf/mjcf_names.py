@@ -18,14 +18,17 @@ _KEYS = {x.name for effect in EFFECTS for x in effect.parameters} | {"joints"}
 
 
 class MjcfNames:
-    """The names of bodies and of joints, which may coincide: their own, or body3, joint7."""
+    """The names of bodies and of joints, which may coincide: their own, or body3, joint7; that of
+    its body for a free joint."""
 
     def __init__(self, model: "mujoco.MjModel") -> None:
         self._taken: tuple[set[str], set[str]] = ({WORLD}, set())
         self._bodies = [WORLD, *(self.new_body(model.body(i).name or f"body{i}")
                                  for i in range(1, model.nbody))]
-        self._joints = [self.new_joint(model.joint(j).name or f"joint{j}")
+        given = {model.joint(j).name for j in range(model.njnt)}
+        self._joints = [model.joint(j).name or _new(self._unnamed(model, j), given)
                         for j in range(model.njnt)]
+        self._taken[1].update(self._joints)
         labels = {*self._taken[1], *_KEYS}
         self._tendons = [_new(model.tendon(t).name or f"tendon{t}", labels)
                          for t in range(model.ntendon)]
@@ -54,6 +57,12 @@ class MjcfNames:
     def actuator(self, number: int) -> str:
         """The label of an actuator."""
         return self._actuators[number]
+
+    def _unnamed(self, model: "mujoco.MjModel", joint: int) -> str:
+        import mujoco
+
+        free = model.jnt_type[joint] == int(mujoco.mjtJoint.mjJNT_FREE)
+        return self.body(int(model.jnt_bodyid[joint])) if free else f"joint{joint}"
 
     def new_body(self, name: str) -> str:
         """The name for a further body, with _ after it if it is taken."""

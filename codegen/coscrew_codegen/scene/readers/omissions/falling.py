@@ -24,7 +24,8 @@ def falling(model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
         ends = {bases[body] for body in loop.bodies}
         held |= ends if len(ends) > 1 else set()
     fall = [x for x in model.joints if x.name in bases.values() and x.name not in held]
-    shaped = any(touches(x) and bases[x.body] in (y.name for y in fall) for x in model.collisions)
+    shaped = any(touches(x, model) and bases[x.body] in (y.name for y in fall)
+                 for x in model.collisions)
     return (Notice(FALLING, f"joint {fall[0].name}", _line(fall, shaped)),) if fall else ()
 
 

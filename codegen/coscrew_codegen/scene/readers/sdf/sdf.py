@@ -11,17 +11,17 @@ from fractions import Fraction
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
 from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.collision import PLANE, Friction
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.sdf.sdf_gears import GROUP, gears
-from coscrew_codegen.scene.readers.sdf.sdf_joints import GEARBOX
 from coscrew_codegen.scene.readers.sdf.sdf_loops import SdfLoops
-from coscrew_codegen.scene.readers.sdf.sdf_shapes import shapes_of
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MOMENTS
 from coscrew_codegen.scene.readers.xml_files.xml import Element
+from coscrew_codegen.scene.readers.xml_files.xml_shapes import SIZES, Shapes, colour, numbers
 
 _ONE: tuple[Fraction, ...] = (Fraction(1),) * 3
 _NONE: tuple[Fraction, ...] = (Fraction(0),) * 3
@@ -36,7 +36,8 @@ class _Sdf(SdfLoops):
     def __init__(self, source: ModelSource) -> None:
         super().__init__(source.path)
         self.lenient, self.left_out = source.lenient, source.leave_out
-        self.shapes = shapes_of(source, self.pose)
+        self.shapes = Shapes(source, {**SIZES, "ellipsoid": ("radii",), PLANE: ()}, "uri",
+                             self.pose, _colour, _friction)
         self.lacking: list[str] = []  # inertias that were taken as SDF's defaults
 
     def parts(self) -> Parts:
@@ -45,12 +46,11 @@ class _Sdf(SdfLoops):
         self.close(opened="loops" in self.left_out)
         mimics = gears(self, left_out=GROUP in self.left_out)
         parts: list[Body | Joint] = []
-        links = {full: x for full, (x, _) in self.frames.items() if x.tag == "link"}
+        links = {full: x for full, x, _ in self.every("link")}
         for full, (element, scope) in self.frames.items():
             if element.tag == "link":
                 parts.append(self._body(element, full))
-            elif element.tag == "joint" and full not in self.closing and (
-                    element.attributes.get("type") != GEARBOX):
+            elif element.tag == "joint" and full not in self.closing:
                 parts += (replace(x, mimic=mimics[full]) if x.name == full in mimics
                           and isinstance(x, Joint) else x
                           for x in self.joint(element, full, scope))
@@ -130,6 +130,18 @@ class _Sdf(SdfLoops):
         moments = _ONE + _NONE if matrix is None else tuple(
             self.number(matrix, tag, "0" if tag in MOMENTS[3:] else None) for tag in MOMENTS)
         return Inertia(mass, at.t, rotations.rotated(at.R, moments))
+
+
+def _colour(visual: Element) -> tuple[float, ...]:
+    return next((colour(x, "diffuse", "ambient") for x in visual.all("material")), ())
+
+
+def _friction(collision: Element) -> Friction | None:
+    """The coefficients mu and mu2 for ODE, which other engines take, too.  Raises ValueError."""
+    of = (ode for surface in collision.all("surface") for friction in surface.all("friction")
+          for ode in friction.all("ode"))
+    return next((Friction(*numbers(x, "mu", 1, _ONE[:1]), *numbers(x, "mu2", 1, _ONE[:1]))
+                 for x in of), None)
 
 
 READER = ModelReader(

@@ -117,11 +117,10 @@ class SdfElements:
     def numbers(self, owner: Element, key: str, count: int, default: str | None = None
                 ) -> tuple[Fraction, ...]:
         """The numbers of this name."""
+        text = self.text(owner, key, default)
         try:
-            return numbers_in(self.text(owner, key, default), count)
+            return numbers_in(text, count)
         except ValueError as error:
-            if isinstance(error, SceneError):
-                raise
             self.refuse(owner, f"<{key}> of <{owner.tag}>: {error}")
 
     def number(self, owner: Element, key: str, default: str | None = None,

@@ -43,6 +43,10 @@ class SdfFrames(SdfElements):
         for inner in model.all("model"):
             self.collect(inner, f"{scope}{self.name(inner)}::")
 
+    def every(self, tag: str) -> list[tuple[str, Element, str]]:
+        """The elements with this tag: full name, element, scope."""
+        return [(full, x, scope) for full, (x, scope) in self.frames.items() if x.tag == tag]
+
     def refuse_includes(self, owner: Element) -> None:
         """Refuse references to other files."""
         for include in owner.all("include"):

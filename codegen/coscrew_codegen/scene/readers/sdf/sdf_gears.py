@@ -1,13 +1,13 @@
 """Gearboxes of SDF files: joints that make one revolute joint follow another."""
 
-from collections.abc import Iterator
 from fractions import Fraction
 
+from coscrew_codegen.scene.mechanism.loop import HINGE
 from coscrew_codegen.scene.mechanism.model import WORLD, Mimic
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import turned
-from coscrew_codegen.scene.readers.sdf.sdf_joints import AXES, GEARBOX, TURNING
-from coscrew_codegen.scene.readers.sdf.sdf_loops import SdfLoops
+from coscrew_codegen.scene.readers.sdf.sdf_joints import AXES, GEARBOX
+from coscrew_codegen.scene.readers.sdf.sdf_loops import CLOSURES, SdfLoops
 from coscrew_codegen.scene.readers.xml_files.xml import Element
 
 GROUP = "gearboxes"
@@ -19,8 +19,8 @@ def gears(file: SdfLoops, left_out: bool) -> dict[str, Mimic]:
     """The joints that gearboxes make follow others, by name; none if they are left out.  Raises
     SceneError for a gearbox between others than two revolute joints."""
     mimics = dict[str, Mimic]()
-    for full, (joint, scope) in file.frames.items():
-        if joint.tag != "joint" or joint.attributes.get("type") != GEARBOX:
+    for full, joint, scope in file.every("joint"):
+        if joint.attributes.get("type") != GEARBOX:
             continue
         if left_out:
             file.notices.append(Notice("other tools' joints", f"joint {full}", f"joint {full}: "
@@ -54,21 +54,16 @@ def _turning(file: SdfLoops, joint: Element, full: str, scope: str, of: tuple[st
     first in the direction of an axis of the gearbox."""
     body, link, tag = of
     n = turned(file.within(WORLD, full).R, file.direction(joint, tag, scope))
-    for name, ends, axis in _revolute(file):
+    for name, x, inner in file.every("joint"):
+        if CLOSURES.get(x.attributes.get("type", "")) is not HINGE or name in file.closing:
+            continue  # revolute joints of the tree, in the world where all coordinates are zero
+        ends = file.ends(x, inner)
+        axis = turned(file.within(WORLD, name).R, file.direction(x, AXES[0], inner))
         cosine = sum((x * y for x, y in zip(axis, n, strict=True)), Fraction(0))
         if {*ends} == {body, link} and 1 - abs(cosine) < _PARALLEL:
             return name, (1 if cosine > 0 else -1) * (1 if ends[0] == body else -1)
     return file.refuse(joint, f"no revolute joint of the tree about its <{tag}> connects {link!r} "
                               f"with {body!r}; {_wanted('one')}")
-
-
-def _revolute(file: SdfLoops) -> Iterator[tuple[str, tuple[str, str], tuple[Fraction, ...]]]:
-    """The revolute joints of the tree, with the links that they connect and their axes in the
-    world, where all coordinates are zero."""
-    for name, (x, scope) in file.frames.items():
-        if x.tag == "joint" and x.attributes.get("type") in TURNING and name not in file.closing:
-            axis = file.direction(x, AXES[0], scope)
-            yield name, file.ends(x, scope), turned(file.within(WORLD, name).R, axis)
 
 
 def _wanted(what: str) -> str:

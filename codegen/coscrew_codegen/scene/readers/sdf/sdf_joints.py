@@ -5,7 +5,7 @@ A link keeps the frame that its file gives it.  Where the joint's frame stands e
 without mass, NAME/link, turns there, and the file's link is fixed to it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -17,6 +17,7 @@ from coscrew_codegen.scene.joints.spherical import JOINT as SPHERICAL
 from coscrew_codegen.scene.joints.universal import JOINT as UNIVERSAL
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.loop import FRAME, HINGE, POINT, LoopKind
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
@@ -34,11 +35,11 @@ from coscrew_codegen.scene.readers.sdf.sdf_frames import MODEL, SdfFrames
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 from coscrew_codegen.scene.readers.xml_files.xml import Element
 
-TYPES = {"revolute": (REVOLUTE, 1), "continuous": (REVOLUTE, 1),
-         "prismatic": (PRISMATIC, 1), "universal": (REVOLUTE, 2),
-         "revolute2": (REVOLUTE, 2), "ball": (SPHERICAL, 0), "fixed": (FIXED, 0)}
-"""The kind and the number of axes of each type."""
-TURNING = ("revolute", "continuous")
+TYPES: Mapping[str, tuple[JointKind, int, LoopKind | None]] = {
+    "revolute": (REVOLUTE, 1, HINGE), "continuous": (REVOLUTE, 1, HINGE),
+    "prismatic": (PRISMATIC, 1, None), "universal": (REVOLUTE, 2, None),
+    "revolute2": (REVOLUTE, 2, None), "ball": (SPHERICAL, 0, POINT), "fixed": (FIXED, 0, FRAME)}
+"""The kind and the number of axes of each type, and the closure of a loop that is like it."""
 GEARBOX = "gearbox"  # connects no links: a joint follows another
 
 _RIGHT = Fraction(1, 10**30)  # cosine of two axes below which they are perpendicular
@@ -64,7 +65,7 @@ class SdfJoints(SdfFrames):
         if word not in TYPES:
             self.refuse(joint, f"type {shown(word)}; wanted one of "
                                f"{', '.join((*TYPES, GEARBOX))}{or_mean(word, TYPES)}")
-        kind, count = TYPES[word]
+        kind, count, _ = TYPES[word]
         parent, child = self.ends(joint, scope)
         for tag in AXES[count:] if kind is not FIXED else ():
             if axis := self.only(joint, tag):

@@ -6,16 +6,14 @@ is like stay in the tree, then those with numbers, as springs, then the first on
 from collections.abc import Mapping
 from pathlib import Path
 
-from coscrew_codegen.scene.mechanism.loop import FRAME, HINGE, POINT, LoopKind
-from coscrew_codegen.scene.mechanism.model import WORLD, Joint
+from coscrew_codegen.scene.mechanism.loop import HINGE
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.placed_loops import PlacedLoops
-from coscrew_codegen.scene.readers.sdf.sdf_joints import AXES, GEARBOX, SdfJoints
+from coscrew_codegen.scene.readers.sdf.sdf_joints import AXES, GEARBOX, TYPES, SdfJoints
 from coscrew_codegen.scene.readers.xml_files.xml import Element
 
-CLOSURES: Mapping[str, LoopKind] = {
-    "revolute": HINGE, "continuous": HINGE, "ball": POINT, "fixed": FRAME}
-"""The closure that is like a joint, by the joint's type."""
+CLOSURES = {word: closure for word, (_, _, closure) in TYPES.items() if closure}
 
 
 class SdfLoops(SdfJoints):
@@ -24,28 +22,28 @@ class SdfLoops(SdfJoints):
     def __init__(self, path: Path) -> None:
         super().__init__(path)
         self.closures = PlacedLoops()
-        self.closing: set[str] = set()  # joints that close loops, or are left out
+        self.closing: set[str] = set()  # joints that are none of the tree
 
     def close(self, opened: bool) -> None:
         """Find the joints that close loops; `opened`: leave them out.  Raises SceneError for those
         that no closure is like."""
-        joints = [(full, x, scope) for full, (x, scope) in self.frames.items()
-                  if x.tag == "joint" and x.attributes.get("type") != GEARBOX]
-        held, group = dict[str, str](), dict[str, str]()  # joint by child; a link of its group
-        for full, joint, scope in sorted(joints, key=lambda x: _order(x[1])):
+        held = dict[str, tuple[str, str]]()  # parent and joint in the tree, by child
+        for full, joint, scope in sorted(self.every("joint"), key=lambda x: _order(x[1])):
+            if joint.attributes.get("type") == GEARBOX:
+                self.closing.add(full)
+                continue
             parent, child = self.ends(joint, scope)
             if parent == child:
                 self.refuse(joint, f"parent and child are the same body, {child!r}")
-            near, far = _last(group, parent), _last(group, child)
-            if child not in held and near != far:
-                held[child], group[far] = full, near
+            if child not in held and _root(held, parent) != child:
+                held[child] = parent, full
                 continue
             self.closing.add(full)
             if opened:
                 self.notices.append(Notice("other tools' joints", f"joint {full}", f"joint {full}: "
                                            "left out (loops)"))
             else:
-                self._close(joint, full, scope, held.get(child, ""))
+                self._close(joint, full, scope, held.get(child, ("", ""))[1])
 
     def _close(self, joint: Element, full: str, scope: str, other: str) -> None:
         word = joint.attributes.get("type", "")
@@ -77,8 +75,8 @@ def _given(joint: Element) -> list[str]:
             and any(y.strip("0. ") for y in x.attributes.values())]
 
 
-def _last(above: Mapping[str, str], name: str) -> str:
-    """The last of those above a name."""
-    while name in above and name != WORLD:
-        name = above[name]
-    return name
+def _root(held: Mapping[str, tuple[str, str]], link: str) -> str:
+    """The first link of a link's tree, or WORLD."""
+    while link in held:
+        link = held[link][0]
+    return link

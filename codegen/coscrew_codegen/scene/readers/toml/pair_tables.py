@@ -4,6 +4,7 @@ from itertools import product
 from typing import cast
 
 from coscrew_codegen.scene.effect import FIRST, SECOND, Given
+from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.notices import COLLISION, Notice
 from coscrew_codegen.scene.readers.part_tables import listed, shapes_of
 from coscrew_codegen.scene.readers.toml.effect_table import EffectTable
@@ -30,20 +31,28 @@ def on_pairs(reading: EffectTable) -> list[Applied]:
         values = {**reading.values(own, given, ""), "bodies": reading.pair(own, pair)}
         sides = [_sides(reading, own, side, body) for side, body in zip((FIRST, SECOND), pair,
                                                                         strict=True)]
-        for number, (first, second) in enumerate(every := [*product(*sides)]):
+        every = [{**values, **first, **second} for (a, first), (b, second) in product(*sides)
+                 if a is None or b is None or a.may_touch(b)]
+        if not every:
+            own.refuse("bodies", "their shapes in the model's file do not touch each other (by "
+                                 f"contype and conaffinity); wanted {FIRST}_radius, and {FIRST} "
+                                 "for its centre, of a sphere in place of one's")
+        for number, settings in enumerate(every):
             name = f"{label}.{number}" if len(every) > 1 else label
-            both = cast("dict[str, Setting]", {**values, **first, **second})
+            both = cast("dict[str, Setting]", settings)
             applied.append(Applied(reading.effect, name, both, name))
     return applied
 
 
-def _sides(reading: EffectTable, own: TomlTable, side: str, body: str) -> list[Given]:
+def _sides(reading: EffectTable, own: TomlTable, side: str, body: str
+           ) -> list[tuple[Collision | None, Given]]:
     """The values of one side: what the table says, or those of each shape of its body."""
     of, keys = reading.effect.side_of, (side, f"{side}_end", f"{side}_radius")
     shapes = shapes_of(reading.model, body)
     if of is None or not shapes or any(key in own for key in keys):
-        return [{}]
-    sides = [values for x in shapes if (values := of(side, x))]
+        return [(None, {})]
+    sides: list[tuple[Collision | None, Given]] = [
+        (x, values) for x in shapes if (values := of(side, x))]
     others = [x for x in shapes if not of(side, x)]
     what = f"touch{'es' * (len(others) == 1)} no other body"
     if not sides:

@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping
 
 from coscrew_codegen.scene.effect import Effect, Place
 from coscrew_codegen.scene.mechanism.model import Model
-from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.names import MANY as MANY_NAMES
+from coscrew_codegen.scene.names import did_you_mean, nearest
 from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
@@ -101,7 +102,7 @@ def _on_several(reading: EffectTable) -> list[Applied]:
     if not table.values:
         _refuse_nowhere(reading)
     effects_read = [_in_own_table(reading, key) for key in table.values if key not in plain]
-    effects_read += _on_named(reading, plain)
+    effects_read += _on_named(reading, plain, {x.on for x in effects_read if not x.label})
     order = {name: i for i, name in enumerate(reading.targets)}
     effects_read.sort(key=lambda applied: (order.get(applied.on, len(order)), applied.label))
     for one, next_one in zip(effects_read, effects_read[1:], strict=False):
@@ -135,8 +136,10 @@ def _is_place(reading: EffectTable, key: str) -> bool:
 
 def _refuse_unknown(reading: EffectTable, key: str) -> None:
     known = (*reading.parameters, reading.several)
-    near = did_you_mean(key, (*known, *reading.targets))
-    reading.table.refuse(key, f"unknown key; {near}")
+    every = (*known, *reading.targets)
+    listed = nearest(key, every) or len(every) <= MANY_NAMES
+    wanted = did_you_mean(key, every if listed else known)
+    reading.table.refuse(key, f"unknown key; {wanted}")
 
 
 def _in_own_table(reading: EffectTable, key: str) -> Applied:
@@ -178,8 +181,10 @@ def _on_sum(reading: EffectTable, own: TomlTable, label: str) -> Applied:
     return Applied(reading.effect, label, reading.values(own, given, label), label, terms)
 
 
-def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[Applied]:
-    """joints = "all" or a list, or the joints that tables of parameters name."""
+def _on_named(reading: EffectTable, plain: Mapping[str, object], elsewhere: set[str]
+              ) -> Iterator[Applied]:
+    """joints = "all", which stands for those without a table `elsewhere`, or a list, or the joints
+    that tables of parameters name."""
     if not plain:
         return
     table, several = reading.table, reading.several
@@ -190,7 +195,7 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
             reading.target(of_each, name, name)
     if not reading.targets:
         reading.refuse_none()
-    chosen, named = _chosen(reading, plain.get(several), by_target)
+    chosen, named = _chosen(reading, plain.get(several), by_target, elsewhere)
     for key, of_each in by_target.items():
         for name in of_each.values:
             if name not in chosen:
@@ -218,8 +223,8 @@ def _is_one(reading: EffectTable, value: object) -> bool:
     return is_trajectory(value) and "file" not in reading.targets
 
 
-def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlTable]
-            ) -> tuple[tuple[str, ...], bool]:
+def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlTable],
+            elsewhere: set[str]) -> tuple[tuple[str, ...], bool]:
     """The targets in the model's order, and whether they were named one by one."""
     table = reading.table
     if several is None:
@@ -231,7 +236,11 @@ def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlT
             table.refuse(reading.several, f'"{ALL}" with numbers means joints with one coordinate, '
                          "and there is none; wanted a list of names, as "
                          f'["{next(iter(reading.targets))}"]')
-        return every, False
+        if not (others := tuple(name for name in every if name not in elsewhere)):
+            table.refuse(reading.several, f'"{ALL}" stands for those without a table of their own, '
+                                          f"and each {reading.what} has one; wanted no "
+                                          f"{reading.several}")
+        return others, False
     elif isinstance(several, list):
         names = {reading.target(table, reading.several, name)
                  for name in _listed(reading, table.as_texts(reading.several, several))}

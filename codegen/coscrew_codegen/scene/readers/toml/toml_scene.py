@@ -100,7 +100,7 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
     tables = file.table("effects")
     acting = read_effects(tables, model, effects, Use())
     wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
-    comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
+    comments = (f"Made of {path.name} by `coscrew import`.", *dict.fromkeys(wrong),
                 *(x.text for x in besides(model, acting)), *_unwritten(path, model))
     return scene_text(file.text("name"), model, file.texts("runtime", ()), tables.values,
                       file.table("start").table("q").values, comments)
