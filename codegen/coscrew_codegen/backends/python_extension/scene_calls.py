@@ -20,6 +20,7 @@ from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import (
+    Call,
     SceneFunctions,
     SceneInterface,
     Signature,
@@ -153,9 +154,13 @@ def _finer(scene: SceneFunctions, function: Signature, precision: Precision
         return None
     inputs = {f.name: ", ".join(_FINER.get(x.name, x.name) for x in f.inputs)
               for f in scene.functions}
-    return {"t": _BEGUN if scene.timed else "t", **{
-        x: {"name": c_name(scene, call.function, precision), "inputs": inputs[call.function]}
-        for x, call in (("test", split.test), ("parts", split.parts))}}
+
+    def named(call: Call | None) -> dict[str, str] | None:
+        return {"name": c_name(scene, call.function, precision),
+                "inputs": inputs[call.function]} if call else None
+
+    return {"t": _BEGUN if scene.timed else "t", "test": named(split.test),
+            "parts": named(split.parts)}
 
 
 def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
