@@ -14,7 +14,7 @@ static void IN(at_state)(const IN(function) *f, REAL h, const REAL *p, const REA
 /* Take n steps of h from t on by `run`, each in as many parts as a step of finer*h would need:
    one if `test` says that this is not split, else the number that `parts` returns.  Without a
    test, which is NULL then, `parts` tells. */
-static void IN(finer)(const IN(function) *test, const IN(function) *parts,
+static inline void IN(finer)(const IN(function) *test, const IN(function) *parts,
     void (*run)(ptrdiff_t n, double t, double h, const REAL *p, REAL *q, REAL *v), ptrdiff_t finer,
     ptrdiff_t n, double t, double h, const REAL *p, REAL *q, REAL *v) {
   const REAL longer = (REAL)((double)finer * h);
