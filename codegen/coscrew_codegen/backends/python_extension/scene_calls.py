@@ -145,9 +145,10 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
 
 def _split(scene: SceneFunctions, step: str, precision: Precision) -> str:
     """The functions that say into how many parts a step is split: whether it is, and their number;
-    "" if it never is."""
+    "" if it never is, or they are not public."""
+    public = {f.name for f in scene.functions if not f.internal}
     split = next((x for of in scene.steps if of.name == step for x in of.body
-                  if isinstance(x, Split)), None)
+                  if isinstance(x, Split) and {y.function for y in x.first} <= public), None)
     return ", ".join(f"&about_{c_name(scene, x.function, precision)}" if x else "NULL"
                      for x in (split.test, split.parts)) if split else ""
 
