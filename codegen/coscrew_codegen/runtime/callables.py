@@ -38,7 +38,7 @@ else:
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that are passed to C without a check."""
-_OF_STEPS = frozenset(("repeated", "sampled", "driven"))
+_OF_STEPS = frozenset(("repeated", "sampled", "finer", "driven"))
 """Methods of steps that are compiled."""
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
@@ -268,11 +268,15 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
         return its.repeated(self._of, n, t, h, p, q, v, threads)
 
     def sampled(self: _Callable, takes: Sequence[step_calls.Take], p: np.ndarray, q: np.ndarray,
-                v: np.ndarray, finer: int = 1) -> tuple[np.ndarray, np.ndarray]:
+                v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """q and v of one state after each of consecutive (n, t, h): n steps of h, the first of them
-        at t, each split as one longer by the factor `finer` would be.  p, q and v are not checked.
-        """
-        return its.sampled(takes, p, q, v, finer)
+        at t.  p, q and v are not checked."""
+        return its.sampled(takes, p, q, v)
+
+    def finer(self: _Callable, takes: Sequence[step_calls.Take], p: np.ndarray, q: np.ndarray,
+              v: np.ndarray, factor: int) -> tuple[np.ndarray, np.ndarray]:
+        """Likewise, each step split as one longer by the factor would be."""
+        return its.sampled(takes, p, q, v, factor)
 
     def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
                q: np.ndarray, v: np.ndarray) -> step_calls.Driven:
@@ -281,6 +285,7 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
         return its.driven(self._of, by, n, t, h, p, q, v)
 
     methods: dict[str, Made] = {"repeated": repeated, "sampled": sampled}
+    methods |= {"finer": finer} if its.finer else {}
     return methods | ({"driven": driven} if its.drive else {})
 
 

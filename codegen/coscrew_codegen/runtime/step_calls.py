@@ -137,12 +137,13 @@ class StepCalls:
         return q, v
 
     def sampled(self, takes: Sequence[Take], p: np.ndarray, q: np.ndarray, v: np.ndarray,
-                finer: int) -> tuple[np.ndarray, np.ndarray]:
+                finer: int = 1) -> tuple[np.ndarray, np.ndarray]:
         """q and v of one state after each of consecutive steps: (…, nq), (…, nv).  Each step is
         split as one longer by the factor `finer` would be."""
         p, q, v = (np.array(x, self.kind, order="C") for x in (p, q, v))
         at, run = tuple(x.ctypes.data for x in (p, q, v)), self.run
-        if self.finer and finer > 1:
+        if finer > 1:
+            assert self.finer
             at, run = (*at, finer), self.finer
         all_q, all_v = (np.empty((len(takes), *x.shape), self.kind) for x in (q, v))
         for k, take in enumerate(takes):

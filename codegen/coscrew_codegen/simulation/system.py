@@ -117,10 +117,11 @@ class System:
         """The integrator of one state, if it is compiled: (steps, q, v) -> q and v after each of
         consecutive (n, t, h), n steps of h from t on, each split as one longer by the factor
         `finer` would be."""
-        several = getattr(getattr(self.kernels, name), "sampled", None)
+        several = getattr(getattr(self.kernels, name), "finer" if finer > 1 else "sampled", None)
         if not several or self._p.ndim > 1:
             return None
-        return lambda takes, q, v: several(takes, self._p, q, v, finer)
+        factor = (finer,) if finer > 1 else ()
+        return lambda takes, q, v: several(takes, self._p, q, v, *factor)
 
     def driver(self, name: str) -> "Driver | None":
         """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q
