@@ -14,7 +14,7 @@ WORDS: Mapping[str, tuple[int, ...]] = {
 """How many operands each operation may have."""
 STATES = 24
 LESS = 1 + 1e-9
-"""What truth with 64 bits may err by."""
+"""Factor by which rounding to 64 bits may carry a value beyond a true bound."""
 Array = np.ndarray
 APPLY: Mapping[str, Callable[..., Array]] = {
     "add": lambda a, b, *_: a + b, "sub": lambda a, b, *_: a - b, "mul": lambda a, b: a * b,
