@@ -5,6 +5,7 @@ The tier reorders sums; the target writes another language, with a folder of tem
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from importlib.util import module_from_spec, spec_from_file_location
@@ -134,7 +135,7 @@ def test_an_operation_is_one_entry(tmp_path):
     walk(copied(tmp_path), "vec3")
     done = generated(tmp_path, "--family", "vec3", "--output", "out")
     assert done.returncode == 0, done.stderr
-    (tmp_path / "out/python/coscrew").rename(tmp_path / "coscrew")
+    shutil.copytree(tmp_path / "out/python/coscrew", tmp_path / "coscrew", dirs_exist_ok=True)
     assert run_in(tmp_path, (
         "import numpy as np, coscrew, coscrew.accurate, coscrew.certified\n"
         "n, v = [1, 2, 2], [3, 5, 7]\n"
@@ -167,7 +168,7 @@ def test_a_family_is_one_file(tmp_path):
     assert '#include "mat3x3.h"' in header and "double ksl_area_box(const ksl_vec3_t *v)" in header
     umbrella = (tmp_path / "out/c/include/ksl/ksl.h").read_text()
     assert '"mat3x3.h"\n#include "area.h"\n#include "SE3.h"' in umbrella
-    (tmp_path / "out/python/coscrew").rename(tmp_path / "coscrew")
+    shutil.copytree(tmp_path / "out/python/coscrew", tmp_path / "coscrew", dirs_exist_ok=True)
     assert run_in(tmp_path, "import coscrew; print(coscrew.area_box([1, 2, 3]))") == "22.0\n"
 
 

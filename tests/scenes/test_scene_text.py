@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.backends.scene import scene_c, scene_c_runtime
+from coscrew_codegen.backends.scene import scene_c, scene_c_runtime, scene_runtime_header
 from coscrew_codegen.program import Constant, Op, counts_in_words
 from coscrew_codegen.program.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.scene.identifiers import numbered
@@ -47,7 +47,7 @@ def test_first_lines_name_the_command(texts: dict[str, str]):
     for path, text in texts.items():
         first = text.splitlines()[0]
         if path == scene_c_runtime.NAME:
-            assert first == f"/* {scene_c_runtime.BANNER} */"
+            assert first == f"/* {scene_runtime_header.BANNER} */"
             continue
         assert first == (f"# {BANNER}" if path.endswith(".py") else f"/* {BANNER} */")
 

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import coscrew_codegen
-from coscrew_codegen.backends.render import TEMPLATES
+from coscrew_codegen.backends.render import GENERATED, TEMPLATES
 
 GUIDE = Path(__file__).parents[2] / "CONTRIBUTING.md"
 _BLOCK = re.compile(r"```\w+\n(?:#|\{#) (codegen/coscrew_codegen|templates)/(\S+?)"
@@ -17,10 +17,12 @@ _BLOCK = re.compile(r"```\w+\n(?:#|\{#) (codegen/coscrew_codegen|templates)/(\S+
 
 
 def copied(folder: Path) -> Path:
-    """A copy of the generator and of its templates in this folder: the package."""
+    """A copy of the generator, its templates and the generated headers in this folder: the package.
+    """
     package, unneeded = folder / "coscrew_codegen", shutil.ignore_patterns("__pycache__")
     shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
     shutil.copytree(TEMPLATES, package / "templates", ignore=unneeded)
+    shutil.copytree(GENERATED / "c", folder / "coscrew" / "c", ignore=unneeded)
     return package
 
 

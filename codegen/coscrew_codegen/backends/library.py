@@ -57,6 +57,7 @@ class Library:
     keep: Keep
     amalgamated: tuple[Tier, ...] = ()  # besides plain: whose headers are also in one file
     many: bool = False  # whether also the functions of many elements
+    whole: bool = True  # whether no family, precision or language is left out
 
     @property
     def banner(self) -> str:

@@ -20,6 +20,10 @@ _INSTALLED = _PACKAGE / "templates"
 TEMPLATES = _INSTALLED if _INSTALLED.is_dir() else _PACKAGE.parents[1] / "templates"
 """The folder of templates: inside the package where it is installed from a wheel, otherwise at the
 top of the project."""
+GENERATED = _PACKAGE.parent / "coscrew" if TEMPLATES is _INSTALLED else \
+    TEMPLATES.parent / "generated"
+"""The folder with the generated headers, in its folder c: the package `coscrew` where it is
+installed from a wheel, otherwise generated/."""
 
 _BANNER = "{{ banner }}"
 
@@ -75,6 +79,11 @@ def render(template: str, **holes: object) -> str:
 def copied(path: str) -> str:
     """The text of a file of templates/ that is C as it stands, whatever the Program."""
     return _source(path)
+
+
+def generated(path: str) -> str:
+    """The text of a header that `coscrew generate` has made: c/coscrew.h."""
+    return (GENERATED / path).read_text("utf-8")
 
 
 def runtime(pattern: str, banner: str = "") -> Mapping[str, str]:

@@ -36,7 +36,7 @@ class Selection:
     def library(self, keep: Keep) -> Library:
         """Returns the selected part of the library, for targets."""
         return Library(self.operations, self.families, self.precisions, self.languages,
-                       self.base, keep, self.amalgamated, self.many)
+                       self.base, keep, self.amalgamated, self.many, self.whole)
 
     @property
     def whole(self) -> bool:

@@ -18,7 +18,8 @@ from importlib.metadata import PackageNotFoundError, version
 from importlib.util import cache_from_source
 from pathlib import Path
 
-from coscrew_codegen.backends.render import TEMPLATES
+from coscrew_codegen.backends.render import GENERATED, TEMPLATES
+from coscrew_codegen.backends.scene import scene_c_runtime
 from coscrew_codegen.runtime import cache, syntax
 from coscrew_codegen.runtime.syntax import SourceMeaning
 
@@ -31,7 +32,7 @@ _INSTALLED = ("coscrew", "sympy", "mpmath", "gmpy2", "numpy", "jinja2")
 
 Contents = Mapping[str, bytes]
 """Modules by their names, packages too; templates, and what is copied, by their paths, which have a
-slash: c/family.h.jinja, runtime/calls/threads.h."""
+slash: c/family.h.jinja, runtime/calls/threads.h, c/coscrew_runtime.h."""
 
 
 def read() -> Contents:
@@ -43,6 +44,9 @@ def read() -> Contents:
         hashes[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
     for folder, file in _files(templates, (_TEMPLATE, *_COPIED)):
         hashes["/".join((*folder, file))] = templates.joinpath(*folder, file)
+    header = GENERATED / scene_c_runtime.PATH
+    if header.is_file():  # else it is being generated
+        hashes[scene_c_runtime.PATH] = header
     return {name: path.read_bytes() for name, path in hashes.items()}
 
 

@@ -1,61 +1,30 @@
-"""The header that the C of all scenes includes: guards of flags, products that are rounded once,
-elementary functions.
-
-It depends on no scene, so that a program vendors it once.  A fingerprint of its text stands in it
-and in the files that include it: those of another version refuse to compile.
-"""
+"""The header that the C of all scenes includes, as `scene_runtime_header.py` has made it."""
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from functools import cache
-from hashlib import sha256
 
-from coscrew_codegen.backends.c import c_elementary
-from coscrew_codegen.backends.c.c_lanes import SEVERAL
-from coscrew_codegen.backends.render import render
-from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS, Elementary
-from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.backends.render import generated
 
-NAME = "coscrew_runtime.h"
-BANNER = ("Made by `coscrew generate SCENE`, the same for every scene; "
-          "changes are overwritten.")
-_NO_FINGERPRINT = "0x00000000"
-_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+PATH = "c/coscrew_runtime.h"
+"""Its place among generated headers."""
+NAME = PATH.rpartition("/")[2]
+_FINGERPRINT = re.compile(r"^#define COSCREW_RUNTIME (0x[0-9a-f]{8})$", re.MULTILINE)
 _ERROR = re.compile(r"\bksl_product_(error|rest)f?\(|\bksl_\w+_error(_[0-9]+)?f?\(")
 
 
 def files() -> dict[str, str]:
     """The header, by its path."""
-    return {NAME: _text().replace(_NO_FINGERPRINT, fingerprint())}
+    return {NAME: generated(PATH)}
 
 
 @cache
 def fingerprint() -> str:
-    """The header's code as a number: 32 bits of a hash of its words, without comments."""
-    words = " ".join(_COMMENT.sub(" ", _text()).split())
-    return f"0x{sha256(words.encode()).hexdigest()[:8]}"
+    """The number by which the header and the files that include it know each other."""
+    (number,) = _FINGERPRINT.findall(generated(PATH))
+    return str(number)
 
 
 def with_errors(bodies: Iterable[str]) -> bool:
     """Returns whether these texts call functions that are there for the accurate tiers alone."""
     return any(map(_ERROR.search, bodies))
-
-
-@cache
-def _text() -> str:
-    """The header, without its fingerprint."""
-    return render("scene/runtime.h", banner=BANNER, fingerprint=_NO_FINGERPRINT,
-                  products=PRECISIONS,
-                  sections=[{"precision": p, "condition": "DBL_MANT_DIG == 53" * (p == DOUBLE),
-                             "functions": _written(p, ELEMENTARY),
-                             "exact": [f"ksl_product_{x}{p.suffix}" for x in ("error", "rest")],
-                             "errors": _written(p, ERRORS)} for p in PRECISIONS])
-
-
-def _written(precision: Precision, functions: Collection[Elementary]
-             ) -> list[c_elementary.ElementaryText]:
-    """Returns the definitions of these functions, for one and for several arguments."""
-    names = {x.name for x in functions}
-    alone = {name for name, of in c_elementary.ALONE.items() if of in names}
-    several = {x for name in names for x in SEVERAL.get(name, ())}
-    return c_elementary.written(precision, names | alone | several, nested=True)
