@@ -18,8 +18,7 @@ from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.reports.cost.needs import core_costs, core_estimates
 from coscrew_codegen.reports.cost.needs.core_estimates import LEAST, Operations, instructions
-from coscrew_codegen.scene.mechanism.ranges import symmetric
-from coscrew_codegen.scene.mechanism.ranges_of_model import ranges_of_model
+from coscrew_codegen.scene.mechanism.ranges import ranges_of_model, symmetric
 from coscrew_codegen.scene.mechanism.tree import tree_of
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
@@ -87,7 +86,7 @@ def scene(robot: str, folder: Path) -> Scene:
              "pendulum": EXAMPLES / "scenes/pendulum.toml"}
     its = scene_of("ur_description/urdf/ur5_robot.urdf") if robot == "ur5" else read_scene(
         files.get(robot, path))
-    ranges = ranges_of_model(its, tree_of(its.model, mimics=False))
+    ranges = ranges_of_model(tree_of(its.model, mimics=False), its.parameters)
     sizes = {"v": Fraction(2), "a": Fraction(10)}
     if robot in SIZES:
         sizes["q"] = SIZES[robot]

@@ -9,7 +9,7 @@ from tabulate import tabulate
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.scene.tier_selection import known, need_ranges, on_request
+from coscrew_codegen.scene.function_selection import known, need_ranges, on_request
 from tests.support.scenes.tiers import states
 
 SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulation.check.bristle_check import bristles_of
 from coscrew_codegen.simulation.check.check import check
 from coscrew_codegen.simulation.check.check_report import table
 from coscrew_codegen.simulation.check.contact_check import contacts_of
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
+from coscrew_codegen.simulation.check.energy_balance import bristles_of
 from coscrew_codegen.simulation.check.error_limits import ENERGY, KEPT
 from coscrew_codegen.simulation.plan import Trajectory, plan
 from coscrew_codegen.simulation.run_summary import RunOverrides

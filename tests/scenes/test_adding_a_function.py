@@ -17,7 +17,6 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.scene import functions
 from coscrew_codegen.scene.effect import Effect, Place, Torque
-from coscrew_codegen.scene.functions.bodies import jacobian
 from coscrew_codegen.scene.mechanism.assembly import ModelError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
@@ -227,7 +226,7 @@ ONE = Array("y", (), ("1",))
     ({"recorded": (SceneQuantity("odd", components=("a", "b")),)},
      "with 2 names of its 1 components"),
     ({"recorded": (SceneQuantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),
-    ({"recorded": (SceneQuantity("odd"),), "targets": jacobian.FUNCTION.targets},
+    ({"recorded": (SceneQuantity("odd"),), "targets": Of.BODY},
      "wanted a quantity of the scene"),
     ({"outputs": (Array("y", (AxisLength.NV,), ("m",)),), "recorded": (SceneQuantity("odd"),)},
      "units of y depend on the scene")))
@@ -257,7 +256,7 @@ def test_a_family_is_one_entry(monkeypatch, tmp_path):
     family = SceneFunction(
         "speed_BODY", 105, "s = |v|^2 of BODY", "q v",
         (Array("s", (), ("m^2/s^2",), "in m^2/s^2"),), compute, Depends.GEOMETRY,
-        recorded=(SceneQuantity("speed", Of.BODY),), targets=jacobian.FUNCTION.targets)
+        recorded=(SceneQuantity("speed", Of.BODY),), targets=Of.BODY)
     monkeypatch.setattr(functions, "FUNCTIONS", (*functions.FUNCTIONS, family))
     monkeypatch.setitem(functions.QUANTITIES, "speed", (family, family.recorded[0]))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))

@@ -13,7 +13,6 @@ from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant
 from coscrew_codegen.scene.mechanism import rotations
-from coscrew_codegen.scene.mechanism.lumped import lumped_inertia
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
@@ -24,7 +23,7 @@ from coscrew_codegen.scene.mechanism.model import (
     Placement,
 )
 from coscrew_codegen.scene.mechanism.rotations import SNAP
-from coscrew_codegen.scene.mechanism.tree import PlacedBody, composed, tree_of
+from coscrew_codegen.scene.mechanism.tree import PlacedBody, composed, lumped_inertia, tree_of
 from coscrew_codegen.scene.scene import Scene
 from tests.support.cases import for_all
 from tests.support.scenes.kinds import Kind

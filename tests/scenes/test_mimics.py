@@ -5,8 +5,7 @@ from fractions import Fraction as F
 
 import pytest
 
-from coscrew_codegen.scene.mechanism.assembly import ModelError
-from coscrew_codegen.scene.mechanism.mimics import without_chains, wrong_mimics
+from coscrew_codegen.scene.mechanism.assembly import ModelError, without_chains, wrong_mimics
 from coscrew_codegen.scene.mechanism.model import Body, Joint, Mimic, Model
 from tests.support.scenes.kinds import Kind
 from tests.support.work import calls_of

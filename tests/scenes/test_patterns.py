@@ -9,8 +9,13 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.patterns import PatternError, expanded, matching
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.recordable import components, quantities_of, recordable
-from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
+from coscrew_codegen.scene.recorded_quantities import (
+    QuantityError,
+    components,
+    quantities_of,
+    recordable,
+    recorded,
+)
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.control import set_by
 

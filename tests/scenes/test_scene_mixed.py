@@ -32,7 +32,7 @@ from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges.accuracy_requests import RequestError, positions
+from coscrew_codegen.dynamics.ranges.rounding import RequestError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up
@@ -44,6 +44,7 @@ from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
+from coscrew_codegen.scene.scene_function import Of
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
@@ -293,7 +294,7 @@ def test_limits_between_which_states_are_drawn_are_used(tmp_path: Path, function
 
 
 @pytest.mark.parametrize("function", [x.name for x in FUNCTIONS if x.takes == ("q",)
-                                      and not x.targets and x is not closure.FUNCTION])
+                                      and x.targets is Of.SCENE and x is not closure.FUNCTION])
 def test_functions_of_positions_have_no_other_input(function: str):
     made = derive(replace(SCENE, functions=(function,), tiers=(), accuracy=()))
     assert [a.name for a in made.named(function).inputs] == ["q"]

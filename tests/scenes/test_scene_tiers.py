@@ -26,9 +26,9 @@ from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.runtime import callables, compilation, source_text
 from coscrew_codegen.runtime.load import kernels_of
 from coscrew_codegen.runtime.request import BOTH
+from coscrew_codegen.scene.function_selection import TiersError, known, selected
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene.tier_selection import TiersError, known, selected
 from tests.benchmarks import cortex_m4
 from tests.benchmarks import scene_calls as scene_calls_benchmark
 from tests.benchmarks import scene_tiers as scene_tiers_benchmark

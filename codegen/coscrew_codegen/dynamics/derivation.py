@@ -17,7 +17,6 @@ from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFuncti
 from coscrew_codegen.program.values.quantity import Argument
 from coscrew_codegen.scene.effect_quantities import count_of, states_of
 from coscrew_codegen.scene.functions import functions_of
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.functions.parameters import torque_regressor
 from coscrew_codegen.scene.functions.steps import closing_contacts
 from coscrew_codegen.scene.mechanism.assembly import ModelError
@@ -29,7 +28,6 @@ from coscrew_codegen.scene.scene_function import (
     Results,
     SceneFunction,
 )
-from coscrew_codegen.scene.signs import signs
 
 
 def tree_for(scene: Scene) -> Tree:
@@ -58,7 +56,9 @@ class Derivation:
 
     @cached_property
     def _floating(self) -> tuple[int, ...]:
-        return floating.floating(self.scene, self.tree)
+        roots = [n for n, link in enumerate(self.tree.links)
+                 if link.parent < 0 and link.joint.kind.floats]
+        return floating.floating(self.scene, self.tree, roots) if roots else ()
 
     def _roots(self) -> tuple[int, ...]:
         """The first links of floating trees."""
@@ -126,7 +126,7 @@ class Derivation:
         if not entry.step:
             return self.made(entry).program
         return inlined(self.step_of(entry),
-                       [self._argument(x) for x in inputs_of(entry, self.scene)])
+                       [self._argument(x) for x in entry.inputs_in(self.scene)])
 
     def step_of(self, entry: SceneFunction) -> SceneFunctions:
         """A step and the functions that it calls."""
@@ -149,7 +149,7 @@ class Derivation:
         return SceneFunctions(
             scene.name, self.size(AxisLength.NQ), tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), self._neutral,
-            tuple(made), (), scene.precisions, scene.timed, tuple(signs(scene).items()),
+            tuple(made), (), scene.precisions, scene.timed, tuple(scene.signs.items()),
             scene.tiers, states=tuple(x for own in states_of(scene)
                                       for x in zip(own.columns, own.units, strict=True)),
             box=scene.ranges.sizes if scene.ranges else ())
@@ -157,7 +157,7 @@ class Derivation:
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""
         self.tell(entry.name)
-        scene, given = self.scene, [self._argument(x) for x in inputs_of(entry, self.scene)]
+        scene, given = self.scene, [self._argument(x) for x in entry.inputs_in(self.scene)]
         program = self._recorded(entry, given)
         words = entry.words_in(self) if entry.words_in else entry.words
         function = FunctionProgram(entry.name, words, program, tuple(

@@ -13,14 +13,13 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.scene_function import Array, Numbers, Results, SceneFunction
 
 
 def tangent(x: FunctionRecording, function: SceneFunction, program: Program) -> Results:
     """The results and, for inputs d_, their derivatives."""
     duals = []
-    for a in inputs_of(function, x.scene):
+    for a in function.inputs_in(x.scene):
         numbers = x.recorder.argument(a.name)
         direction: Numbers = x.recorder.argument(f"d_{a.name}")
         if a.is_coordinates:
@@ -39,9 +38,9 @@ def tangent(x: FunctionRecording, function: SceneFunction, program: Program) -> 
 def adjoint(x: FunctionRecording, function: SceneFunction, program: Program) -> Results:
     """The results and, for weights w_ of them, the derivatives of their sum by each input."""
     program = x.recorder.form(program)
-    given = inputs_of(function, x.scene)
+    given = function.inputs_in(x.scene)
     numbers = [x.recorder.argument(a.name) for a in given]
-    names = [f"w_{a.name}" for a in outputs_of(function, x.scene)]
+    names = [f"w_{a.name}" for a in function.outputs_in(x.scene)]
     weights = [w for name, a, y in zip(names, function.outputs, _outputs(
         program, x.recorder.replay(program, *numbers)), strict=True)
         for w in _weights(x, a, y, x.recorder.argument(name))]

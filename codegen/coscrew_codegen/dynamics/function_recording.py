@@ -45,7 +45,8 @@ class FunctionRecording:
     def rigids(self) -> list[Rigid]:
         """The inertia of each link, with those that effects add beside it."""
         own = rigids(self.recorder, self.names, self.tree)
-        for link, inertia in added_inertias(self.scene, self.recorder, self.tree).items():
+        adding = [x for x in self.scene.effects if x.effect.body_inertia]
+        for link, inertia in added_inertias(adding, self.recorder, self.tree) if adding else ():
             own[link] = replace(own[link], added=inertia.entries)
         return own
 

@@ -30,7 +30,7 @@ from coscrew_codegen.dynamics.forces.soft_rows import Weights
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
+from coscrew_codegen.scene.situation import carries
 
 Row = Sequence[Number]
 Rows = Sequence[Row]

@@ -45,7 +45,6 @@ from coscrew_codegen.dynamics.loops.multipliers import Constrained, ConstraintRo
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.step_jacobians import OtherFunctions
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
-from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
 from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Results, SceneFunction
@@ -175,7 +174,7 @@ class RecordedDynamics:
 
     def _constrained(self) -> tuple[ConstraintRows, Constrained]:
         """The rows of closed loops; the accelerations that meet them, and their multipliers."""
-        x, demand = self._recording, required(demands.exact(self._recording, self._motion))
+        x, demand = self._recording, demands.exact(self._recording, self._motion)
         inverse = forward.inverse(self._motion, x.rigids, x.inertias)
         return demand.rows, demand.met(self._free_accelerations(), inverse)
 
@@ -336,8 +335,9 @@ class RecordedDynamics:
         acting = AppliedEffects(self.scene, self._motion, over=h).act()
         free = forward.implicit(self._motion, acting, x.rigids, x.inertias, kicks.end_weights(h),
                                 x.tau)
-        demand = demands.stop(x, self._motion, h)
-        return demand.met(free.a, free.inverse).a if demand else free.a
+        if not self.scene.model.loops:
+            return free.a
+        return demands.stop(x, self._motion, h).met(free.a, free.inverse).a
 
     def midpoint_accelerations(self) -> Numbers:
         """a of the default integrator's kick."""

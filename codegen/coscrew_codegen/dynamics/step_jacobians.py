@@ -28,7 +28,6 @@ from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.scene.effect_quantities import count_of, states_of
 from coscrew_codegen.scene.function_selection import FunctionsError
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.scene_function import Results, SceneFunction
 
 BY = ("q", "v", "tau", "p")
@@ -57,7 +56,7 @@ class OtherFunctions(Protocol):
 def of_step(x: FunctionRecording, step: SceneFunction, others: OtherFunctions) -> Results:
     """q, v, and the derivatives of both by q and v, by tau and by p, row by row; those of effects'
     states stand behind those of velocities by q."""
-    given = inputs_of(step, x.scene)
+    given = step.inputs_in(x.scene)
     widths = {name: _width(x, name) for name in BY if any(a.name == name for a in given)}
     still: tuple[Number | None, ...] = (None,) * sum(widths.values())
     with x.recorder.part("derivatives"):

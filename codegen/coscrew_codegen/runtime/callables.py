@@ -4,8 +4,9 @@ import ctypes
 import functools
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import combinations
 from types import MethodType, ModuleType
-from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,8 +21,7 @@ from coscrew_codegen.program.scene_functions import (
 )
 from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.runtime import step_calls, strided_calls
-from coscrew_codegen.runtime.bound_arguments import bound
+from coscrew_codegen.runtime import compiled_calls
 from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.scene.function_selection import all_names, dividing
 from coscrew_codegen.scene.integrators import EMITTED
@@ -163,7 +163,7 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, checked_by: ModuleTyp
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
     in_c = functools.partial(_in_c, library, name, described, precision)
-    of_rows = strided_calls.CompiledFunction(described, kind, in_c(_declined), loop, checked_by,
+    of_rows = compiled_calls.CompiledFunction(described, kind, in_c(_declined), loop, checked_by,
                                              signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
@@ -219,7 +219,7 @@ def in_numpy(twin: Made, described: Signature) -> Made:
     computes."""
     def checked(of: _Callable, arguments: Mapping[str, ArrayLike], out: object, threads: object
                 ) -> object:
-        strided_calls.positive(threads)
+        compiled_calls.positive(threads)
         return twin(**arguments, out=out)
 
     return _written(described, checked)
@@ -256,7 +256,7 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
                 precision: Precision, checked_by: ModuleType,
                 signed: tuple[tuple[int, str, bool], ...]) -> dict[str, Made]:
     """Methods of a step that take many steps in one call."""
-    its = step_calls.steps(_unlocked(library._name), name, several, described,
+    its = compiled_calls.steps(_unlocked(library._name), name, several, described,
                            np.dtype(precision.numpy_type), checked_by, signed, precision.name)
 
     def repeated(self: _Callable, n: int, t: float, h: float, p: ArrayLike, q: ArrayLike,
@@ -267,19 +267,19 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
         that have them, are states, which `threads` share."""
         return its.repeated(self._of, n, t, h, p, q, v, threads)
 
-    def sampled(self: _Callable, takes: Sequence[step_calls.Take], p: np.ndarray, q: np.ndarray,
+    def sampled(self: _Callable, takes: Sequence[compiled_calls.Take], p: np.ndarray, q: np.ndarray,
                 v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """q and v of one state after each of consecutive (n, t, h): n steps of h, the first of them
         at t.  p, q and v are not checked."""
         return its.sampled(takes, p, q, v)
 
-    def finer(self: _Callable, takes: Sequence[step_calls.Take], p: np.ndarray, q: np.ndarray,
+    def finer(self: _Callable, takes: Sequence[compiled_calls.Take], p: np.ndarray, q: np.ndarray,
               v: np.ndarray, factor: int) -> tuple[np.ndarray, np.ndarray]:
         """Likewise, each step split as one longer by the factor would be."""
         return its.sampled(takes, p, q, v, factor)
 
-    def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
-               q: np.ndarray, v: np.ndarray) -> step_calls.Driven:
+    def driven(self: _Callable, by: compiled_calls.InC, n: int, t: float, h: float, p: np.ndarray,
+               q: np.ndarray, v: np.ndarray) -> compiled_calls.Driven:
         """p, q and v after n steps under a controller in C, and the first value of the controller
         that is not finite."""
         return its.driven(self._of, by, n, t, h, p, q, v)
@@ -293,3 +293,54 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
 def _unlocked(path: str) -> ctypes.CDLL:
     """The library opened so that its functions run without Python's global lock."""
     return ctypes.CDLL(path)
+
+
+Shape = tuple[int, ...]
+Given = TypeVar("Given")
+
+
+def bound(function: str, inputs: Sequence[tuple[str, Shape]], given: Sequence[Given],
+          named: Mapping[str, Given]) -> dict[str, Given]:
+    """The arguments by name, in the order of `inputs`, which holds names and shapes of last axes.
+
+    Raises TypeError for missing, repeated and unknown ones.  If arguments are given in order, the
+    missing one is the one whose omission makes the others' shapes fit."""
+    names = [name for name, _ in inputs]
+    if len(given) == len(names) and not named:
+        return dict(zip(names, given, strict=True))
+    head = f"{function}({', '.join(names)})"
+    wanted = "; wanted " + (", ".join(f"{name} {shape}" for name, shape in inputs) or "none")
+    if unknown := [name for name in named if name not in names]:
+        raise TypeError(f"{head}: no argument {unknown[0]!r}{or_mean(unknown[0], names)}{wanted}")
+    if len(given) > len(names):
+        raise TypeError(f"{head}: got {len(given)} arguments{wanted}")
+    if missing := len(names) - len(given) - len(named):
+        raise TypeError(f"{head}: {_missing(inputs, given, named, missing)}{wanted}")
+    arguments = dict(zip(names, given, strict=False))
+    if twice := [name for name in named if name in arguments]:
+        raise TypeError(f"{head}: {twice[0]} is given twice, in order and by name{wanted}")
+    arguments.update(named)
+    return {name: arguments[name] for name in names}
+
+
+def _missing(inputs: Sequence[tuple[str, Shape]], given: Sequence[object],
+             named: Mapping[str, object], count: int) -> str:
+    """"p is missing", if shapes show it; else the number of arguments."""
+    others = [x for x in inputs if x[0] not in named]
+    fitting = [kept for kept in combinations(others, len(given))
+               if all(_fits(x, shape) for x, (_, shape) in zip(given, kept, strict=True))]
+    got = f"got {len(given) + len(named) or 'no'} argument{'s' * (len(given) + len(named) != 1)}"
+    if len(fitting) == 1:
+        lost = [name for name, _ in others if name not in {kept for kept, _ in fitting[0]}]
+        return f"{' and '.join(lost)} {'is' if count == 1 else 'are'} missing; {got}"
+    return f"{count} of {', '.join(name for name, _ in others)} {'is' if count == 1 else 'are'} " \
+           f"missing; {got}"
+
+
+def _fits(x: object, shape: Shape) -> bool:
+    """Returns whether the last axes have these lengths; a number has no axes."""
+    try:
+        actual: Shape = tuple(np.shape(cast("ArrayLike", x)))
+    except ValueError:  # nested lists of several lengths
+        return False
+    return actual[len(actual) - len(shape):] == shape if shape else not actual

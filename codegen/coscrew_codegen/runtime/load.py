@@ -19,10 +19,17 @@ from coscrew_codegen.runtime import callables, compilation, request, scene_libra
 from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.caller_warnings import at_callers_line, warn
 from coscrew_codegen.runtime.request import BOTH, Request
-from coscrew_codegen.scene.function_selection import CONTACTS, FREE, all_names, left_out, together
+from coscrew_codegen.scene.function_selection import (
+    CONTACTS,
+    FREE,
+    all_names,
+    known,
+    left_out,
+    need_ranges,
+    together,
+)
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.tier_selection import known, need_ranges
 
 if TYPE_CHECKING:
     from coscrew_codegen.runtime.arrays.namespace import Arrays
@@ -234,7 +241,7 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")
     else:
-        from coscrew_codegen.scene.tier_selection import selected
+        from coscrew_codegen.scene.function_selection import selected
 
         model_arguments.refuse_given(
             "load_scene", precision=precision, implausible=implausible, packages=packages,

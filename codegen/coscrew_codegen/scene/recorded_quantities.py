@@ -11,14 +11,15 @@ Components are called by names, as energy.kinetic, or by numbers, as pose.BODY.3
 position.BODY.0.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, states_of, units_of
 from coscrew_codegen.scene.functions import QUANTITIES as OF_FUNCTIONS
-from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.assembly import followers
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.names import did_you_mean, nearest, or_mean
+from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Of, SceneFunction, SceneQuantity
 from coscrew_codegen.scene.units import UNITS
@@ -144,17 +145,9 @@ def _of_states(text: str, rest: str, scene: Scene) -> Recorded:
 
 def targets(function: SceneFunction, kind: SceneQuantity, scene: Scene) -> tuple[str, ...]:
     """The names of the bodies or joints that a quantity belongs to; () of the whole scene."""
-    if function.targets and kind.of is not Of.SCENE:
+    if function.targets is kind.of:
         return tuple(function.names(scene))
-    match kind.of:
-        case Of.BODY:
-            return tuple(body.name for body in scene.model.bodies)
-        case Of.JOINT:
-            return tuple(j.name for j in scene.model.joints if j.kind.moves)
-        case Of.LOOP:
-            return tuple(x.name for x in scene.model.loops)
-        case Of.SCENE:
-            return ()
+    return tuple(body.name for body in scene.model.bodies)
 
 
 def _of_function(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
@@ -166,14 +159,14 @@ def _of_function(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     count, names = len(all_components), targets(function, kind, scene)
     target, index = _target(text, rest, kind.of.value, names) if kind.of.value else ("", rest)
     picked = _picked(text, index, count, kind.components)
-    each = function.outputs[0].each if target and not function.targets else 0
+    each = function.outputs[0].each if target and function.targets is Of.SCENE else 0
     first = names.index(target) * each if each else 0
     stem = f"{quantity}.{target}" if target else quantity
     words = kind.components or tuple(map(str, range(count)))
     columns = tuple(stem if count == 1 else f"{stem}.{words[i]}" for i in picked)
     units, places = zip(*(all_components[i] for i in picked), strict=True)
     return Recorded(text, quantity, target, picked, columns, units,
-                    function.names(scene)[target] if function.targets else function.name,
+                    function.names(scene).get(target, function.name),
                     tuple(tuple(first + place for place in several) for several in places),
                     "a" in function.within(scene).takes)
 
@@ -241,3 +234,59 @@ def _numbered(count: int) -> str:
     if count == 1:
         return "none"
     return f"0 to {count - 1}" + (f", or {', '.join(XYZ)}" if count == 3 else "")
+
+
+_POSITIONS = tuple(name for name, (function, x) in OF_FUNCTIONS.items()
+                   if [unit for unit, _ in function.components_of(x)] == ["m"] * 3)
+"""Quantities whose components are called x, y and z, too."""
+
+
+def recordable(scene: Scene) -> tuple[str, ...]:
+    """The names of all quantities, each whole: q.elbow, energy, position.hand."""
+    own = [joint.name for joint, _, _ in coordinates(scene)]
+    return (*(name for name, (function, x) in OF_FUNCTIONS.items()
+              if x.of is Of.SCENE and function.recorded_in(scene)),
+            *(f"{quantity}.{joint}" for quantity in UNITS for joint in own),
+            *(f"{STATES}.{x.name}" for x in states_of(scene)),
+            *(f"{name}.{target}" for name, (function, x) in OF_FUNCTIONS.items()
+              for target in targets(function, x, scene)),
+            *quantities_by_name(scene))
+
+
+def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:
+    """The names of the quantities' columns: energy.kinetic, position.hand.2."""
+    return tuple(column for name in names for column in recorded(name, scene).names)
+
+
+def quantities_of(texts: Sequence[str], scene: Scene) -> tuple[str, ...]:
+    """The quantities that texts name; patterns are replaced by all whole quantities that they
+    match, or else by components.  Raises QuantityError for each text that names none."""
+    result, errors = list[str](), []
+    for text in texts:
+        try:
+            recorded(text, scene)
+            names: tuple[str, ...] = (text,)
+        except QuantityError as error:
+            names = _matching(text, scene) if is_pattern(text) else ()
+            if not names:
+                errors.append(_unmatched(text, scene) if is_pattern(text) else str(error))
+        result += [x for x in names if x == text or not (x in result or x in texts)]
+    if errors:
+        raise QuantityError("; ".join(errors))
+    return tuple(result)
+
+
+def _matching(pattern: str, scene: Scene) -> tuple[str, ...]:
+    """The quantities that a pattern matches: whole ones, or else components, by number, or else
+    x, y and z of positions."""
+    whole = recordable(scene)
+    parts = components(whole, scene)
+    lettered = tuple(f"{name[:-1]}{XYZ[int(name[-1])]}" for name in parts
+                     if name.partition(".")[0] in _POSITIONS)
+    return matching(pattern, whole, parts, lettered)
+
+
+def _unmatched(pattern: str, scene: Scene) -> str:
+    whole = recordable(scene)
+    return (f"{pattern!r} matches no quantity; "
+            f"{did_you_mean(pattern, (*whole, *components(whole, scene)))}")

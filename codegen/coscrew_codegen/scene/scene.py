@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
-from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.program.values.parameter import Parameter, Scalar, Sign
 from coscrew_codegen.scene.effect import Effect, StateOf
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
@@ -128,6 +128,21 @@ class Scene:
             return any(isinstance(x, Formula) and x.timed for x in parts)
 
         return any(timed(value) for x in self.effects for value in x.values.values())
+
+    @property
+    def signs(self) -> dict[str, Sign]:
+        """The signs of the run-time parameters that have one, by name, which scene files require of
+        the same numbers: masses are positive, and effects say what their parameters are."""
+        results = {body.inertia.mass.name: Sign.POSITIVE for body in self.model.bodies
+                   if body.inertia and isinstance(body.inertia.mass, Parameter)}
+        for applied in self.effects:
+            for described in applied.effect.parameters:
+                if described.sign:
+                    value = applied.values.get(described.name)
+                    results |= {x.name: described.sign
+                                for x in (value if isinstance(value, tuple) else (value,))
+                                if isinstance(x, Parameter)}
+        return results
 
     @property
     def content_hash(self) -> str:

@@ -7,11 +7,11 @@ Dynamics, and returns Numbers."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from string import ascii_uppercase
 from typing import TYPE_CHECKING, Protocol
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Scalar
+from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.mechanism.function_arguments import (
     COUNT,
@@ -27,7 +27,9 @@ from coscrew_codegen.scene.mechanism.function_arguments import (
     SceneQuantity,
     V,
 )
+from coscrew_codegen.scene.mechanism.model import WORLD, Model
 from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.situation import Precondition, Situation
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder
@@ -215,48 +217,6 @@ class Dynamics(Protocol):
         """The number and length of the parts of a step that resolve contacts of limits."""
 
 
-class LinearNames(Protocol):
-    """Parameters on which the torques of a scene depend linearly."""
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Their names: forearm.m, viscous.elbow.d."""
-
-    @property
-    def units(self) -> tuple[str, ...]:
-        """The unit of each."""
-
-    @property
-    def base_names(self) -> tuple[str, ...]:
-        """Combinations of them that determine the torques: wrist.mx + 0.11 hand.m."""
-
-    @property
-    def base_units(self) -> tuple[str, ...]:
-        """The unit of each combination."""
-
-
-class Situation(Protocol):
-    """Properties of a scene on which functions depend."""
-
-    scene: Scene
-
-    @property
-    def floating(self) -> tuple[str, ...]:
-        """The first bodies of trees on which gravity is the only external force."""
-
-    @property
-    def kinds(self) -> tuple[str, ...]:
-        """The kinds of the joints with coordinates of their own."""
-
-    @property
-    def linear(self) -> LinearNames:
-        """The parameters on which its torques depend linearly."""
-
-    @property
-    def closes(self) -> bool:
-        """True if it has a limit that can be hit."""
-
-
 class Depends(Enum):
     """Kinds of data that a function depends on, besides its inputs."""
 
@@ -298,15 +258,15 @@ class SceneFunction:
     recorded: tuple[SceneQuantity, ...] = ()
     recorded_in: Callable[[Scene], bool] = lambda scene: True  # whether a scene can record these
     divides: bool = False  # by the mass matrix, or called only by functions that do
-    lacks: Callable[[Situation], str] | None = None  # "" if a scene can have it
+    needs: Precondition | None = None  # what a scene must have
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
     units_in: Callable[[Situation], tuple[str, ...]] | None = None  # of all results, likewise
     internal: bool = False  # called by steps alone, so that it cannot be selected
-    targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
-    # names for BODY or JOINT, and the body or joint
+    targets: Of = Of.SCENE  # of a family: what it has a member for, of those that move
+    driven: bool = False  # whether it is at tau = 0, and NAME_tau with torques of joints besides
     members: Callable[["SceneFunction", Scene], tuple["SceneFunction", ...]] | None = None  # of a
     # family whose members differ in more than targets
-    target: str = ""  # of a member: its body or joint
+    target: str = ""  # of a member: its body, joint or loop
     each: Callable[["SceneFunction", "SceneFunction", Scene], "SceneFunction | None"] | None = None
     # of a family that has a member for each other function, or None for it
     differentiates: "SceneFunction | None" = None  # of such a member: the other function
@@ -345,9 +305,9 @@ class SceneFunction:
 
     def _units_recorded(self, quantity: SceneQuantity, what: str) -> tuple[str, ...]:
         """The unit of each result, of one body or joint."""
-        of_all = quantity.of is Of.BODY and not self.targets and (
+        of_all = quantity.of is Of.BODY and self.targets is Of.SCENE and (
             [x.shape[:1] for x in self.outputs] == [(AxisLength.BODIES,)])
-        if not of_all and (self.members or (quantity.of is Of.SCENE) == bool(self.targets)):
+        if not of_all and (self.members or quantity.of is not self.targets):
             raise ValueError(f"{what}; wanted a quantity of the scene, of bodies or joints that "
                              "are the function's targets, or of bodies along the first axis of "
                              "its only output")
@@ -365,9 +325,24 @@ class SceneFunction:
         """The names of its inputs."""
         return tuple(self.inputs.split())
 
+    def inputs_in(self, scene: Scene) -> tuple[Array, ...]:
+        """The inputs in a scene: with p if the function depends on masses, and t if on effects."""
+        takes = {*self.takes}
+        if self.depends is Depends.EFFECTS and scene.timed:
+            takes.add("t")
+        if self.depends is not Depends.GEOMETRY and scene.parameters:
+            takes.add("p")
+        return (*(x for name, x in INPUTS.items() if name in takes), *self.more)
+
+    def outputs_in(self, scene: Scene) -> tuple[Array, ...]:
+        """The outputs in a scene; those with an input's name get the suffix o."""
+        taken = {x.name for x in self.inputs_in(scene)}
+        return tuple(replace(x, name=f"{x.name}o") if x.name in taken else x
+                     for x in self.outputs)
+
     def absent(self, its: Situation) -> str:
         """Says why a scene cannot have it; "" if it can."""
-        return self.lacks(its) if self.lacks else ""
+        return self.needs.missing if self.needs and not self.needs.met(its) else ""
 
     def within(self, scene: Scene) -> "SceneFunction":
         """The function, or the one in its place where the scene's loops are closed."""
@@ -377,23 +352,40 @@ class SceneFunction:
         """The function, or the members of the family that a scene has."""
         if self.within(scene) is not self:
             return self.within(scene).of(scene)
-        if self.members:
-            return self.members(self, scene)
-        if not self.targets:
+        own = self.members(self, scene) if self.members else self._of_targets(scene)
+        return (*own, *(x._with_tau() for x in own)) if self.driven else own
+
+    def _of_targets(self, scene: Scene) -> tuple["SceneFunction", ...]:
+        if self.targets is Of.SCENE:
             return (self,)
-        return tuple(
-            replace(self, name=self._named(stem), words=self.words.replace(self._word, target),
-                    target=target) for stem, target in self.targets(scene).items())
+        word = self.targets.value.upper()
+        return tuple(replace(self, name=name, words=self.words.replace(word, target), target=target)
+                     for target, name in self.names(scene).items())
+
+    def _with_tau(self) -> "SceneFunction":
+        return replace(self, name=f"{self.name}_tau", place=self.place + 2,
+                       inputs=f"{self.inputs} tau",
+                       words=self.words.replace("-bias_torques", "tau -bias_torques"))
 
     def names(self, scene: Scene) -> dict[str, str]:
         """The names of a family's members, by target."""
-        targets = self.targets(scene) if self.targets else {}
-        return {target: self._named(stem) for stem, target in targets.items()}
+        word = self.targets.value.upper()
+        return {target: self.name.replace(word, stem)
+                for stem, target in _targets(self.targets, scene.model)}
 
-    def _named(self, stem: str) -> str:
-        return self.name.replace(self._word, stem)
 
-    @property
-    def _word(self) -> str:
-        """BODY of jacobian_BODY."""
-        return self.name[len(self.name.rstrip(ascii_uppercase)):]
+def _targets(kind: Of, model: Model) -> list[tuple[str, str]]:
+    """The bodies, joints or loops for which a family has members: how the members' names write
+    them, and their names."""
+    match kind:
+        case Of.BODY:
+            names, links = [x.name for x in model.bodies], model.links()
+            return [(stem, name) for stem, name in zip(identifiers(names), names, strict=True)
+                    if links[name] != WORLD]
+        case Of.JOINT:
+            names = [x.name for x in model.joints if x.kind.moves]
+        case Of.LOOP:
+            names = [x.name for x in model.loops]
+        case Of.SCENE:
+            names = []
+    return list(zip(identifiers(names), names, strict=True))

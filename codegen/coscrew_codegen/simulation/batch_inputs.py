@@ -12,7 +12,6 @@ from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import Checkpoint
-from coscrew_codegen.simulation.loops.loop_closing import closed
 from coscrew_codegen.simulation.parameter_checks import dependent, refuse_each, refuse_together
 from coscrew_codegen.simulation.system import State, System
 
@@ -68,7 +67,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
     q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
     if start is None and q0 is None:
         q = system.with_rotors(q, v)
-    return (q, v) if start and q0 is None and v0 is None else closed(system, q, v)
+    return (q, v) if start and q0 is None and v0 is None else system.closed(q, v)
 
 
 def _as_many(leads: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:

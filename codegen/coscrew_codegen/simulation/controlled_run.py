@@ -8,7 +8,7 @@ from typing import cast
 
 import numpy as np
 
-from coscrew_codegen.runtime.step_calls import InC
+from coscrew_codegen.runtime.compiled_calls import InC
 from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.sign_changes import Turns

@@ -15,7 +15,6 @@ from coscrew_codegen.scene.names import nearest
 from coscrew_codegen.scene.readers.decimals import bounded
 from coscrew_codegen.scene.readers.toml.runtime import constants, swapped_model
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
-from coscrew_codegen.scene.signs import signs
 from coscrew_codegen.simulation import SimulateError
 
 N = TypeVar("N")
@@ -55,7 +54,7 @@ def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precisio
         if number and not least <= abs(number) <= most:
             raise SimulateError(f"{prefix}{name}={number:g}: outside {precision.name} precision's "
                                 f"range: 0, and {least:.2g} to {most:.2g} in size")
-    for name, sign in signs(scene).items():
+    for name, sign in scene.signs.items():
         number = settings.get(name, 1)
         if sign.refuses(number):
             raise SimulateError(f"{prefix}{name}={number:g}: wanted {sign.value}")
@@ -83,7 +82,7 @@ def dependent(scene: Scene) -> set[str]:
 
 def constant(scene: Scene) -> set[str]:
     """Names of the parameters that a controller must not set, since their values are checked."""
-    return {*signs(scene), *dependent(scene)}
+    return {*scene.signs, *dependent(scene)}
 
 
 def ranges(scene: Scene, settings: Mapping[str, N]

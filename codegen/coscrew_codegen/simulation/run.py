@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from coscrew_codegen.runtime.step_calls import Take
+from coscrew_codegen.runtime.compiled_calls import Take
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.divergence_monitor import UNTRIED, Alarm

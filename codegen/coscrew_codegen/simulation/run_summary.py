@@ -14,7 +14,7 @@ from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.functions.steps.step_parts import MOST_OF_CONTACTS
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.joints import KIND_NAMED
-from coscrew_codegen.scene.mechanism.mimics import without_chains
+from coscrew_codegen.scene.mechanism.assembly import without_chains
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.batch_inputs import values_of

@@ -13,8 +13,9 @@ import numpy as np
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
-from coscrew_codegen.runtime.step_calls import Driven, InC, Take
+from coscrew_codegen.runtime.compiled_calls import Driven, InC, Take
 from coscrew_codegen.scene.effect_quantities import states_of
+from coscrew_codegen.scene.function_selection import CLOSURE
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
@@ -163,7 +164,11 @@ class System:
     def start(self) -> State:
         """q and v at t = 0: the scene's, with loops closed.  Raises SimulateError for loops that
         are open."""
-        return closed(self, *self.written_start())
+        return self.closed(*self.written_start())
+
+    def closed(self, q: np.ndarray, v: np.ndarray) -> State:
+        """q and v on the closures of the scene's loops; as they are without loops."""
+        return closed(self, q, v) if self.has(CLOSURE) else (q, v)
 
     def written_start(self) -> State:
         """The scene's q and v as written, by default the neutral configuration at rest."""

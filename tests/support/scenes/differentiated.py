@@ -8,7 +8,6 @@ from mpmath import mpf
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.functions import functions_of
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
@@ -41,7 +40,7 @@ def moved(functions: SceneFunctions, function: SceneFunction, scene: Scene, give
     """The arguments, along a direction: coordinates along velocities, states along themselves."""
     nv = functions.nv
     after = dict(given)
-    for a in inputs_of(function, scene):
+    for a in function.inputs_in(scene):
         step = [size * d for d in direction[f"d_{a.name}"]]
         if a.is_coordinates:
             whole = results(functions, "integrated", {"q": given[a.name], "phi": step[:nv]})["qo"]
@@ -96,7 +95,7 @@ def check(scene: Scene, function: SceneFunction, seed: int = 3, **at: list[mpf])
         tangent = results(functions, one, {**given, **direction})
         ends = [inlined(functions, function, moved(functions, function, scene, given, direction,
                                                    size)) for size in (-STEP, STEP)]
-        keys = [x.name for x in outputs_of(function, scene)]
+        keys = [x.name for x in function.outputs_in(scene)]
         for key, x, low, high in zip(keys, function.outputs, *(e.values() for e in ends),
                                      strict=True):
             wanted = [d / (2 * STEP) for d in apart(functions, x.is_coordinates, low, high)]
@@ -104,7 +103,7 @@ def check(scene: Scene, function: SceneFunction, seed: int = 3, **at: list[mpf])
             for a, b in zip(tangent[f"d_{key}"], wanted, strict=True):
                 assert abs(a - b) <= CLOSE * max(largest, 1), (function.name, key)
         adjoint = results(functions, two, {**given, **weights})
-        taken = [a.name for a in inputs_of(function, scene)]
+        taken = [a.name for a in function.inputs_in(scene)]
         left = total(weights, tangent, ("w_", "d_"), keys)
         right = total(adjoint, direction, ("g_", "d_"), taken)
         size = mpmath.fsum(abs(x) for name in taken for x in adjoint[f"g_{name}"])

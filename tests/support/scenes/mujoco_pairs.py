@@ -8,7 +8,7 @@ import numpy as np
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.scene_functions import Coordinate
-from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.assembly import followers
 from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames
 from coscrew_codegen.scene.scene import Scene

@@ -6,8 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from coscrew_codegen.dynamics.derivation import tree_for
-from coscrew_codegen.scene.mechanism.ranges import QUATERNION, Intervals, symmetric
-from coscrew_codegen.scene.mechanism.ranges_of_model import ranges_of_model
+from coscrew_codegen.scene.mechanism.ranges import QUATERNION, Intervals, ranges_of_model, symmetric
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
@@ -22,7 +21,7 @@ def ranged(scene: Scene, sizes: Mapping[str, str]) -> Scene:
     tree = tree_for(scene)
     stated: dict[str, Intervals] = {
         name: (symmetric(Fraction(size)),) * tree.nv for name, size in sizes.items()}
-    return replace(scene, ranges=ranges_of_model(scene, tree).stating(stated))
+    return replace(scene, ranges=ranges_of_model(tree, scene.parameters).stating(stated))
 
 
 def panda() -> Scene:

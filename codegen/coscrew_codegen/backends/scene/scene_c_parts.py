@@ -14,9 +14,8 @@ from coscrew_codegen.algebra.recording.recorder import headings
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
 from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.backends.c.c_stores import Layout, in_lines
+from coscrew_codegen.backends.c.c_stores import Layout, has_many_results, in_lines
 from coscrew_codegen.backends.c.c_together import together
-from coscrew_codegen.backends.c_early_stores import has_many_results
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene.scene_c_columns import ColumnLoop, column_loops
@@ -31,7 +30,7 @@ from coscrew_codegen.backends.scene.scene_text import (
 )
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
-from coscrew_codegen.program.splitting.columns import has_columns
+from coscrew_codegen.program.splitting.columns import LEAST, has_columns
 from coscrew_codegen.program.splitting.parts import Cut, Group, cut
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.quantity import Argument
@@ -48,9 +47,9 @@ def _cuts(plans: Sequence[NestingPlan], loops: bool) -> dict[str, Cut]:
     """The long functions, which are cut, by name; short ones only where a loop over columns is."""
     programs = [plan.program for plan in plans]
     long = [x for x in programs if len(x.instructions) > LONG]
-    result = cut([_angles_first(x) for x in long], LONGEST, columns=loops)
+    result = cut([_angles_first(x) for x in long], LONGEST, columns=loops) if long else {}
     for x in programs if loops else ():
-        if x.name not in result and has_columns(x):
+        if x.name not in result and len(x.instructions) >= LEAST and has_columns(x):
             result |= cut([_angles_first(x)], LONG, columns=True)
     return result
 
@@ -76,7 +75,7 @@ class FunctionParts:
         assigned = {plan.program.name: plan.assigned for plan in plans}
         self._groups = {group.name: group for cut in self.cuts.values() for group in cut.groups}
         self._loops = {x.part.name: x for x in column_loops(self._groups.values())} \
-            if loops else {}
+            if loops and self._groups else {}
         self._slots: dict[str, dict[str, str]] = {name: {} for name in self._groups}
         for loop in self._loops.values():
             self._slots[loop.group.name] |= loop.slots

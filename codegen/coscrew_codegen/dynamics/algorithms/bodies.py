@@ -5,9 +5,8 @@ from dataclasses import dataclass
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector, add, displacement
 from coscrew_codegen.algebra.recording.recorder import Recorder
-from coscrew_codegen.scene.mechanism.lumped import lumped_inertia
 from coscrew_codegen.scene.mechanism.model import Inertia
-from coscrew_codegen.scene.mechanism.tree import PlacedBody, Tree
+from coscrew_codegen.scene.mechanism.tree import PlacedBody, Tree, lumped_inertia
 
 
 @dataclass(frozen=True)

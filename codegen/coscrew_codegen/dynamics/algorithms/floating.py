@@ -32,10 +32,9 @@ from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
-def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
-    """The first links of the floating trees."""
-    roots = [n for n, link in enumerate(tree.links)
-             if link.parent < 0 and link.joint.kind.floats]
+def floating(scene: Scene, tree: Tree, roots: Sequence[int]) -> tuple[int, ...]:
+    """The first links of the floating trees, among `roots`: the links with free joints in the
+    world."""
     tied = {root for applied in scene.effects for root in _tied(applied, tree)
             if not _idle(scene, tree, applied)}
     for number, link in enumerate(tree.links):

@@ -86,9 +86,12 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
         return torque, more
 
     joint: Joint = at_joint
-    solve = _solver(motion, inertias, *resisted(motion, start, rigids, weights))
+    solve = _solver(motion, inertias, *(
+        resisted(motion, start, rigids, weights) if start.forces else (rigids,)))
     wrenches = rnea.net_wrenches(motion, rigids, apart)
-    a = solve(joint, with_slopes(motion, wrenches, acting, start, rigids, weights))
+    if start.forces:
+        wrenches = with_slopes(motion, wrenches, acting, start, rigids, weights)
+    a = solve(joint, wrenches)
 
     def inverse(e: Sequence[Number]) -> list[Number]:
         return solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))

@@ -18,7 +18,7 @@ speeds of rotors behind elastic gears, and what follows with a lag follows the d
 (v0 + v1)/2: by h/2 for the kick, by h in all.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -38,11 +38,11 @@ from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.contacts.closeness import Contact
 from coscrew_codegen.scene.effect import CoordinateState, required
 from coscrew_codegen.scene.effect_quantities import places_of
-from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.scene import Applied
+from coscrew_codegen.scene.situation import carries, touches
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -82,7 +82,8 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     first = x.motion(at=(q, v), carried=carried)
     start = AppliedEffects(x.scene, first, over=h / 2).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
-    a, demand, later = kicked.a, reflection(x, first, h), delays(x, h, kicked.rates)
+    demand = reflection(x, first, h) if x.scene.model.loops else None
+    a, later = kicked.a, delays(x, h, kicked.rates)
     for _ in range(2 if demand else 1):
         a = demand.met(a, kicked.inverse).a if demand else a
         again = x.motion(at=(_turned(x, q, a, kicked.rotors, h / 2),
@@ -182,11 +183,15 @@ def _later(x: FunctionRecording, h: Number, kicked: forward.Implicit) -> dict[in
     return results
 
 
+def _touching(x: FunctionRecording) -> Iterable[Touching]:
+    return touching(x) if touches(x.scene) else ()
+
+
 def closing(x: FunctionRecording) -> Number:
     """The number of contacts, of joints and bodies, that are closed now or will be after h at the
     velocity v."""
     count = x.recorder.number(0)
-    every: list[_Closing | Touching] = [*_contacts(x), *touching(x)]
+    every: list[_Closing | Touching] = [*_contacts(x), *_touching(x)]
     for contact in every:
         with contact.part():
             count = count + where(less(count.like(0), contact.depths), 1, 0)
@@ -212,7 +217,7 @@ def split(x: FunctionRecording) -> tuple[Number, Number]:
             fifth = _power(rate, 2) * sqrt(rate * deepest)
             fifth = where(less(fifth.like(0), contact.depths), fifth, 0)
             worst = where(less(worst, fifth), fifth, worst)
-    for body in touching(x):
+    for body in _touching(x):
         with body.part():
             fifth = where(less(number.like(0), body.depths), body.fifth_power(number), 0)
             worst = where(less(worst, fifth), fifth, worst)

@@ -12,7 +12,7 @@ In fluid at rest V = J v, so the Coriolis matrix is J^T (M J' + B J), with B X =
 skew-symmetric, and so is (J^T M J)' less twice that matrix.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -35,7 +35,7 @@ from coscrew_codegen.dynamics.algorithms.rnea import Wrench
 from coscrew_codegen.dynamics.algorithms.screw_rates import subspace_rates
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.scene.mechanism.tree import Tree
-from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.scene import Applied
 
 Matrix = list[list[Number]]
 
@@ -59,17 +59,17 @@ def inertia_in_link(applied: Applied, recorder: Recorder, tree: Tree) -> tuple[i
     return link, Articulated(own.matrix).transformed(displacement(R, at))
 
 
-def added_inertias(scene: Scene, recorder: Recorder, tree: Tree) -> dict[int, Articulated]:
-    """The sums of the inertias that effects add to links, where these are not zero.  What is added
-    to a body that stands on the world moves nothing."""
+def added_inertias(effects: Iterable[Applied], recorder: Recorder, tree: Tree
+                   ) -> Iterable[tuple[int, Articulated]]:
+    """The sums of the inertias that these effects add to links, by link, where these are not zero.
+    What is added to a body that stands on the world moves nothing."""
     results: dict[int, Articulated] = {}
-    for applied in scene.effects:
-        if applied.effect.body_inertia:
-            link, own = inertia_in_link(applied, recorder, tree)
-            if link < 0 or own.is_zero:
-                continue
-            results[link] = results[link].plus(own) if link in results else own
-    return results
+    for applied in effects:
+        link, own = inertia_in_link(applied, recorder, tree)
+        if link < 0 or own.is_zero:
+            continue
+        results[link] = results[link].plus(own) if link in results else own
+    return results.items()
 
 
 def wrench(motion: Motion, link: int, M: Articulated, stream: Stream | None) -> Wrench:

@@ -16,7 +16,6 @@ from coscrew_codegen.dynamics.forces import effect_derivatives
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops import demands
 from coscrew_codegen.dynamics.loops.multipliers import Compliance, ConstraintRows, Demand
-from coscrew_codegen.scene.effect import required
 
 Matrix = list[list[Number]]
 OfInverse = Callable[[FunctionRecording, Sequence[Number]], tuple[Matrix, ...]]
@@ -26,9 +25,9 @@ _MULTIPLIERS = "multipliers"
 def of_forward(x: FunctionRecording, motion: Motion, a: Sequence[Number], M: LeafFactors,
                of_inverse: OfInverse) -> tuple[Matrix, ...]:
     """∂a/∂q, ∂a/∂v and ∂a/∂tau, from the accelerations of the open tree."""
-    rows = required(demands.exact(x, motion)).rows
-    compliance = Compliance(rows, M.solve)
-    closed = required(demands.exact(x, motion)).solved(a, compliance)
+    demand = demands.exact(x, motion)
+    rows, compliance = demand.rows, Compliance(demand.rows, M.solve)
+    closed = demand.solved(a, compliance)
     dq, dv, _ = of_inverse(x, closed.a)
     by_q, by_v = effect_derivatives.differentiated(
         x, _of_loops, ("q", "v"), {"a": closed.a, _MULTIPLIERS: closed.multipliers})

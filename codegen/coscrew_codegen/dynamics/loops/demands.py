@@ -1,4 +1,6 @@
-"""Demands of closed loops on accelerations, and the corrections of states that have left them."""
+"""Demands of closed loops on accelerations, and the corrections of states that have left them.
+
+Only for scenes with loops."""
 
 from collections.abc import Sequence
 
@@ -11,26 +13,24 @@ from coscrew_codegen.dynamics.loops.closures import Closure
 from coscrew_codegen.dynamics.loops.multipliers import Compliance, ConstraintRows, Demand
 
 
-def exact(x: FunctionRecording, motion: Motion) -> Demand | None:
-    """E a = -E' v: the rate of E v is zero; None without loops."""
-    rows = _rows(x, motion)
-    return Demand(rows, rows.of(lambda closure: closure.rates)) if rows else None
+def exact(x: FunctionRecording, motion: Motion) -> Demand:
+    """E a = -E' v: the rate of E v is zero."""
+    rows = ConstraintRows.at(motion, x.scene.model)
+    return Demand(rows, rows.of(lambda closure: closure.rates))
 
 
-def reflection(x: FunctionRecording, motion: Motion, h: Number) -> Demand | None:
+def reflection(x: FunctionRecording, motion: Motion, h: Number) -> Demand:
     """E (v0 + v1) = 0 with v1 = v0 + h a: of second order, as E v1 = 0 is not."""
     return _of_step(x, motion, h, 2)
 
 
-def stop(x: FunctionRecording, motion: Motion, h: Number) -> Demand | None:
+def stop(x: FunctionRecording, motion: Motion, h: Number) -> Demand:
     """E v1 = 0 with v1 = v0 + h a."""
     return _of_step(x, motion, h, 1)
 
 
-def _of_step(x: FunctionRecording, motion: Motion, h: Number, factor: int) -> Demand | None:
-    rows = _rows(x, motion)
-    if not rows:
-        return None
+def _of_step(x: FunctionRecording, motion: Motion, h: Number, factor: int) -> Demand:
+    rows = ConstraintRows.at(motion, x.scene.model)
     rate = factor / where(equal(h, 0), 1, h)  # a step of 0 moves nothing, however it accelerates
     return Demand(rows, list(scaled(rate, rows.along(motion.v))))
 
@@ -80,7 +80,3 @@ def _of(rows: ConstraintRows, multipliers: Sequence[Number], closure: Closure
     """The multipliers of a closure, by row."""
     return {k: x for (n, k), x in zip(rows.places, multipliers, strict=True)
             if rows.closures[n] is closure}
-
-
-def _rows(x: FunctionRecording, motion: Motion) -> ConstraintRows | None:
-    return ConstraintRows.at(motion, x.scene.model) if x.scene.model.loops else None

@@ -24,6 +24,8 @@ FEWEST = 4
 """Least number of columns for which a loop pays: as many as a vector of AVX2 holds."""
 SHORTEST = 32
 """Least number of instructions of a column."""
+LEAST = FEWEST * SHORTEST
+"""Least number of instructions of a program with columns for which a loop pays."""
 _MARK = "column_"
 _APART = frozenset({Op.SELECT, Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR})
 """Operations that are written beside others: choices with their comparisons, sines with cosines."""

@@ -15,7 +15,7 @@ from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.readers.effect_syntax import alternatives, notes, where
 from coscrew_codegen.scene.readers.model_formats import readers
 from coscrew_codegen.scene.readers.toml.keys import AXES, TABLES, Key
-from coscrew_codegen.scene.scene_function import INPUTS, Depends, SceneFunction, SceneQuantity
+from coscrew_codegen.scene.scene_function import INPUTS, Depends, Of, SceneFunction, SceneQuantity
 
 
 def effects_page(banner: str) -> str:
@@ -57,7 +57,8 @@ def functions_page(banner: str) -> str:
 def functions_stub(banner: str) -> str:
     """The functions that have the same name in every scene, for type checkers."""
     return render("python/_functions.pyi", banner=banner, names=[
-        x.name for x in FUNCTIONS if x.compute and not (x.internal or x.targets or x.lacks)])
+        x.name for x in FUNCTIONS
+        if x.compute and x.targets is Of.SCENE and not (x.internal or x.needs)])
 
 
 def _joint(kind: JointKind) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from coscrew_codegen.program.values.formats import Precision, named
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, Shape
-from coscrew_codegen.runtime.bound_arguments import bound
+from coscrew_codegen.runtime.callables import bound
 
 
 @dataclass(frozen=True)

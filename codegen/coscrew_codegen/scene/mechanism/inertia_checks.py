@@ -12,11 +12,9 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-from coscrew_codegen.scene.mechanism.assembly import ModelError
-from coscrew_codegen.scene.mechanism.lumped import Six, lumped_inertia
-from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.assembly import ModelError, followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model, value
-from coscrew_codegen.scene.mechanism.tree import PlacedBody, tree_of
+from coscrew_codegen.scene.mechanism.tree import PlacedBody, Six, lumped_inertia, tree_of
 from coscrew_codegen.scene.mechanism.unresisted import Common, alone, common
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.scene import Applied, Scene

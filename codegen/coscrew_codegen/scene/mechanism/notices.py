@@ -5,6 +5,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 FALLING = "weight"
+ACCEPT = "accept"
+"""The value of a scene's `falling` without which the notice is given."""
 IDLE = "torque or force"
 COLLISION = "collision shape"
 SUBJECTS = (

@@ -1,9 +1,13 @@
 """Ranges: the intervals in which the arguments of a scene's functions are stated to lie."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, nextafter
+
+from coscrew_codegen.program.values.parameter import Parameter
+from coscrew_codegen.scene.mechanism.model import Joint
+from coscrew_codegen.scene.mechanism.tree import Tree
 
 Interval = tuple[float, float]
 Intervals = tuple[Interval, ...]
@@ -66,3 +70,37 @@ def symmetric(size: Fraction) -> Interval:
 def _below(x: Fraction) -> float:
     near = float(x)
     return near if Fraction(near) <= x else nextafter(near, -inf)
+
+
+LIMITS = {"q": ("lower", "upper"), "v": ("velocity",), "tau": ("effort",)}
+"""The fields of a joint that limit an argument of functions."""
+
+
+def ranges_of_model(tree: Tree, parameters: Sequence[Parameter]) -> Ranges:
+    """Positions and velocities between the limits of joints, and run-time parameters up to their
+    values in size; nothing else has a range."""
+    joints = [link.joint for link in tree.links if link.driver is None]
+    firsts: list[int] = []
+    for link in tree.links:
+        if link.driver is None:
+            firsts += [link.q.start + places.start for places in link.joint.kind.quaternions]
+    return Ranges(
+        q=tuple(x for joint in joints for x in _positions(joint)),
+        v=tuple(limits(joint, "v") or UNSTATED for joint in joints for _ in range(joint.kind.nv)),
+        a=(UNSTATED,) * tree.nv, tau=(UNSTATED,) * tree.nv,
+        p=tuple(symmetric(abs(x.value)) for x in parameters), quaternions=tuple(firsts))
+
+
+def limits(joint: Joint, argument: str) -> Interval | None:
+    """The interval between the limits of a joint; None unless it has them and one coordinate."""
+    ends = [getattr(joint, field) for field in LIMITS[argument]]
+    if not joint.kind.one_coordinate or None in ends:
+        return None
+    return interval(*ends) if len(ends) > 1 else symmetric(ends[0])
+
+
+def _positions(joint: Joint) -> Intervals:
+    if joint.kind.one_coordinate:
+        return (limits(joint, "q") or UNSTATED,)
+    parts = (QUATERNION if x.quaternion else (UNSTATED,) * x.count for x in joint.kind.parts)
+    return tuple(x for part in parts for x in part)

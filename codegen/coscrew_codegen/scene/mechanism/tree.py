@@ -5,14 +5,23 @@ Links are numbered so that parents come first; link -1 is the world.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 
 from coscrew_codegen.program.scene_functions import Coordinate
-from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement
-from coscrew_codegen.scene.mechanism.rotations import turned
-from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residue
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop
+from coscrew_codegen.scene.mechanism.model import (
+    HERE,
+    WORLD,
+    Body,
+    Inertia,
+    Joint,
+    Model,
+    Placement,
+    value,
+)
+from coscrew_codegen.scene.mechanism.rotations import rotated, snapped, turned, unit
 
 _ZERO = Fraction(0)
 _FINEST = 2**200
@@ -161,3 +170,124 @@ def _numbered(moving: list[tuple[Joint, int, Placement]],
                           range(nv, nv + wide_v), driver))
         nq, nv = nq + wide_q, nv + wide_v
     return Tree(tuple(links), tuple(bodies[-1]), nq, nv)
+
+
+Six = tuple[Fraction, ...]  # xx, yy, zz, xy, xz, yz
+
+_ROUNDED = Fraction(1, 10**40)
+"""Products of inertia up to this times the trace are zero, and moments that differ by as little are
+equal: the residue of rotating equal moments with entries of 50 digits."""
+
+
+@dataclass(frozen=True)
+class LumpedInertia:
+    """Mass, first moment, second moments about the origin; parameters have their default values."""
+
+    mass: Fraction
+    first: tuple[Fraction, ...]
+    moments: Six
+
+    @property
+    def numbers(self) -> tuple[Fraction, ...]:
+        """The mass, first moments and moments of inertia."""
+        return (self.mass, *self.first, *self.moments)
+
+    @property
+    def about_com(self) -> Six:
+        """The second moments about the centre of mass, if there is a mass."""
+        return tuple(a - b / self.mass
+                     for a, b in zip(self.moments, steiner(self.first), strict=True))
+
+
+def lumped_inertia(bodies: Sequence[PlacedBody]) -> LumpedInertia:
+    """The inertia of all the bodies, about their link's origin in its frame."""
+    return _lumped(tuple(placed for placed in bodies if placed.body.inertia))
+
+
+@lru_cache(maxsize=1024)  # of each link; every function of a scene needs it
+def _lumped(bodies: tuple[PlacedBody, ...]) -> LumpedInertia:
+    mass = Fraction(0)
+    first: tuple[Fraction, ...] = (Fraction(0),) * 3
+    moments: Six = (Fraction(0),) * 6
+    for placed in bodies:
+        if inertia := placed.body.inertia:
+            m, R = value(inertia.mass), placed.placement.R
+            com = tuple(map(value, inertia.com))
+            at = tuple(length(sum((x * y for x, y in zip(R[3 * i:3 * i + 3], com, strict=True)),
+                                  placed.placement.t[i])) for i in range(3))
+            own = rotated(R, tuple(map(value, inertia.moments)))
+            mass += m
+            first = tuple(a + m * b for a, b in zip(first, at, strict=True))
+            moments = tuple(a + b + m * c
+                            for a, b, c in zip(moments, own, steiner(at), strict=True))
+    return LumpedInertia(mass, first, without_turned(moments, _ROUNDED))
+
+
+def steiner(at: tuple[Fraction, ...]) -> Six:
+    """-c~²: the second moments of a unit mass at c about the origin."""
+    x, y, z = at
+    return (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
+
+
+LENGTH = Fraction(1, 10**18)
+"""Coordinates of origins and centres of mass, in m, up to which they count as zero.  Files contain
+2.7e-51 m for zero, and products of two such numbers leave single precision's range.  For a robot of
+a metre, 1e-18 m is 1 % of the rounding error in double precision."""
+
+TURNED = Fraction(1, 10**15)
+"""A product of inertia xy up to this times √(xx yy) counts as zero, and moments that differ by up
+to this times xx as equal: residues of rotating equal moments in double precision."""
+
+
+def without_residues(model: Model) -> Model:
+    """The model with zero in place of its residues."""
+    return replace(model, bodies=tuple(map(_body, model.bodies)),
+                   joints=tuple(map(_joint, model.joints)),
+                   loops=tuple(map(_loop, model.loops)))
+
+
+def without_residue(placement: Placement) -> Placement:
+    """A frame composed of frames, rounded as theirs are: right angles that their rotations add up
+    to are exact, and coordinates that cancel are zero."""
+    return Placement(snapped(placement.R), tuple(map(length, placement.t)))
+
+
+def length(x: Fraction) -> Fraction:
+    """A coordinate, or zero up to LENGTH."""
+    return Fraction(0) if abs(x) <= LENGTH else x
+
+
+def _joint(joint: Joint) -> Joint:
+    at = joint.placement
+    return replace(joint, placement=replace(at, t=tuple(map(length, at.t))))
+
+
+def _loop(loop: ClosedLoop) -> ClosedLoop:
+    first, second = (replace(x, point=tuple(map(length, x.point)), R=snapped(x.R),
+                             axis=unit(x.axis))
+                     for x in (loop.first, loop.second))
+    return replace(loop, first=first, second=second)
+
+
+def _body(body: Body) -> Body:
+    if body.inertia is None:
+        return body
+    inertia = body.inertia
+    return replace(body, inertia=Inertia(
+        inertia.mass, tuple(length(value(x)) for x in inertia.com),
+        without_turned(tuple(map(value, inertia.moments)), TURNED)))
+
+
+def without_turned(moments: Sequence[Fraction], within: Fraction) -> tuple[Fraction, ...]:
+    """Moments xx, yy, zz, xy, xz, yz without the residues of turning equal ones: products xy up to
+    `within` √(xx yy) become zero, and moments that differ by up to `within` xx equal."""
+    def product(xy: Fraction, xx: Fraction, yy: Fraction) -> Fraction:
+        return Fraction(0) if xy * xy <= within**2 * abs(xx * yy) else xy
+
+    def moment(yy: Fraction, xx: Fraction) -> Fraction:
+        return xx if abs(yy - xx) <= within * abs(xx) else yy
+
+    xx, yy, zz, xy, xz, yz = moments
+    yy = moment(yy, xx)
+    zz = moment(moment(zz, xx), yy)
+    return xx, yy, zz, product(xy, xx, yy), product(xz, xx, zz), product(yz, yy, zz)

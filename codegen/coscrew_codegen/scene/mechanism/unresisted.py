@@ -21,9 +21,8 @@ from coscrew_codegen.algebra.recording.numbers import (
     translation,
 )
 from coscrew_codegen.scene.mechanism.joint_in_reals import JointInReals
-from coscrew_codegen.scene.mechanism.lumped import lumped_inertia
 from coscrew_codegen.scene.mechanism.model import Joint, Mimic, Model
-from coscrew_codegen.scene.mechanism.tree import Link, tree_of
+from coscrew_codegen.scene.mechanism.tree import Link, lumped_inertia, tree_of
 
 DIGITS = 150
 """Axes have 50 digits; the inertias against motions that these make possible, twice as many zeros.

@@ -12,15 +12,19 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
-from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
+from coscrew_codegen.scene.mechanism.assembly import (
+    ModelError,
+    assembled,
+    with_faults,
+    without_chains,
+)
 from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.loop import ClosedLoop
-from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
-from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.mechanism.tree import without_residues
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.readers.declared_effects import Effects, notices
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -87,7 +91,8 @@ class Parts:
             clean = without_residues(replace(led, loops=tuple(
                 x for x in self.loops if x not in idle)))
             all_notices = (
-                *notices(self.effects, clean), *notices(self.offered, clean), *self.notices,
+                *(notice for declared in (self.effects, self.offered) if declared
+                  for notice in notices(declared, clean)), *self.notices,
                 *(Notice("other tools' joints", f"joint {x.name}", f"joint {x.name}: holds bodies "
                          "that cannot move against each other, and is not used") for x in idle))
             return judged(replace(clean, implausible=self.implausible, notices=all_notices,

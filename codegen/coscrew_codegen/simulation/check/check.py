@@ -16,10 +16,9 @@ from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check import check_rounding, step_advice
-from coscrew_codegen.simulation.check.bristle_check import bristles_of
 from coscrew_codegen.simulation.check.contact_check import contacts_of, point_distances
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
-from coscrew_codegen.simulation.check.energy_balance import Balance, balance
+from coscrew_codegen.simulation.check.energy_balance import Balance, balance, bristles_of
 from coscrew_codegen.simulation.check.findings import SECOND_RUN, THIRD_RUN, AlongRun, Findings, Met
 from coscrew_codegen.simulation.check.windows import in_double
 from coscrew_codegen.simulation.loops.closure_check import closures

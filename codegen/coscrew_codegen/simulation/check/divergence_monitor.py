@@ -24,9 +24,8 @@ from coscrew_codegen.scene.function_selection import ALL_CONTACTS, CLOSURE
 from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation.check import windows
-from coscrew_codegen.simulation.check.bristle_check import only_dissipates, stored
 from coscrew_codegen.simulation.check.contact_check import depths_through, sinks, touching
-from coscrew_codegen.simulation.check.energy_balance import rounding
+from coscrew_codegen.simulation.check.energy_balance import only_dissipates, rounding, stored
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, FROZEN, KEPT
 from coscrew_codegen.simulation.check.motion_error import Extent, StateParts
 from coscrew_codegen.simulation.loops.closure_check import allowed, gaps

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
-from coscrew_codegen.simulation.check.bristle_check import Bristles
 from coscrew_codegen.simulation.check.check_rounding import RoundedResults
 from coscrew_codegen.simulation.check.contact_check import ContactsOfRun
-from coscrew_codegen.simulation.check.energy_balance import Balance
+from coscrew_codegen.simulation.check.energy_balance import Balance, Bristles
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulation.check.step_advice import Error
 from coscrew_codegen.simulation.loops.closure_check import Closures

@@ -23,8 +23,6 @@ _RANK = 1e-9  # of the largest singular value: the others count as zero
 def closed(system: "System", q: np.ndarray, v: np.ndarray) -> "State":
     """q and v on the closures of the scene's loops.  Raises SimulateError for a start that is
     farther than OPEN from them, with an assembled start near it."""
-    if not system.has(CLOSURE):
-        return q, v
     phi, gaps = _gaps(system, q, v)
     at, speeds = _onto(system, q, v)
     lost = abs(phi).max(-1) > OPEN

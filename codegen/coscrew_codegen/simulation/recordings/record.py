@@ -7,8 +7,12 @@ from math import prod
 import numpy as np
 
 from coscrew_codegen.scene.names import listed
-from coscrew_codegen.scene.recordable import quantities_of
-from coscrew_codegen.scene.recorded_quantities import QuantityError, Recorded, recorded
+from coscrew_codegen.scene.recorded_quantities import (
+    QuantityError,
+    Recorded,
+    quantities_of,
+    recorded,
+)
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.plan import Trajectory

@@ -8,8 +8,7 @@ from coscrew_codegen.backends.version import VERSION
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.runtime.load import Kernels, kernels_for
 from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
-from coscrew_codegen.scene.recordable import quantities_of
-from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
+from coscrew_codegen.scene.recorded_quantities import QuantityError, quantities_of, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import required_functions
 from coscrew_codegen.simulation.plan import Plan, plan

@@ -5,7 +5,6 @@ load."""
 
 from dataclasses import replace
 
-from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import (
     Array,
@@ -18,12 +17,6 @@ from coscrew_codegen.scene.scene_function import (
 from coscrew_codegen.scene.units import WRENCH
 
 
-def _moving(scene: Scene) -> dict[str, str]:
-    """The joints that move."""
-    joints = [joint.name for joint in scene.model.joints if joint.kind.moves]
-    return dict(zip(identifiers(joints), joints, strict=True))
-
-
 def _wanted(scene: Scene, joint: str) -> bool:
     return any(x.effect.reaction and x.on == joint for x in scene.effects)
 
@@ -34,7 +27,7 @@ _OF_TREE = SceneFunction(
     (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: [x.transmitted(x.target)],
     Depends.EFFECTS, Default("by default, for joints with the effect reaction, and those whose "
                              "reaction is recorded", _wanted),
-    (SceneQuantity("reaction", Of.JOINT),), targets=_moving)
+    (SceneQuantity("reaction", Of.JOINT),), targets=Of.JOINT)
 FUNCTION = replace(_OF_TREE, closed=replace(
     _OF_TREE, inputs="q v tau", divides=True, words=_OF_TREE.words.replace(
         "while it accelerates with a", "under torques tau, with its loops closed")))

@@ -2,28 +2,27 @@
 
 from dataclasses import replace
 
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.functions.derivatives.directions import (
     derivative,
     differentiable,
     gradient,
 )
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.scene_function import Depends, SceneFunction
+from coscrew_codegen.scene.scene_function import Depends, Of, SceneFunction
 
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The function's adjoint."""
     if not differentiable(function, scene):
         return None
-    results = outputs_of(function, scene)
+    results = function.outputs_in(scene)
     return replace(
         function, name=f"{function.name}_adjoint", place=own.place, differentiates=function,
         words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
         more=tuple(derivative(x, "w_", scene) for x in results), step=None, shown=False,
-        outputs=(*results, *(gradient(x, scene) for x in inputs_of(function, scene))),
+        outputs=(*results, *(gradient(x, scene) for x in function.inputs_in(scene))),
         default=own.default,
-        compute=lambda x: x.adjoint(function), judged=False, members=None, targets=None)
+        compute=lambda x: x.adjoint(function), judged=False, members=None, targets=Of.SCENE)
 
 
 FUNCTION = SceneFunction(

@@ -5,7 +5,6 @@ themselves."""
 
 from coscrew_codegen.scene import units
 from coscrew_codegen.scene.effect_quantities import states_of
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import COUNT, Array, AxisLength, SceneFunction
 from coscrew_codegen.scene.units import Kinds, Units
@@ -14,7 +13,7 @@ from coscrew_codegen.scene.units import Kinds, Units
 def differentiable(function: SceneFunction, scene: Scene) -> bool:
     """Returns whether a function can have derivatives: it has inputs, and results that change
     continuously."""
-    return bool(inputs_of(function, scene)) and not (
+    return bool(function.inputs_in(scene)) and not (
         function.internal or function.differentiates or COUNT in function.outputs)
 
 

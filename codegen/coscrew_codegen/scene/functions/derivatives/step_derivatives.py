@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from coscrew_codegen.scene import units
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.functions.derivatives.directions import displacements
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
@@ -31,11 +30,11 @@ def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunct
     """The step's derivatives."""
     if not function.step:
         return None
-    given = {x.name for x in inputs_of(function, scene)}
+    given = {x.name for x in function.inputs_in(scene)}
     return replace(
         function, name=f"{function.name}_derivatives", place=own.place, differentiates=function,
         words=own.words.replace("step_INTEGRATOR", function.name), step=None, default=own.default,
-        outputs=(*outputs_of(function, scene),
+        outputs=(*function.outputs_in(scene),
                  *(x for y, x in _matrices(scene).items() if y in given)),
         compute=lambda x: x.step_derivatives(function), members=None)
 

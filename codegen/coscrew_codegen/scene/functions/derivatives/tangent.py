@@ -2,24 +2,23 @@
 
 from dataclasses import replace
 
-from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.functions.derivatives.directions import derivative, differentiable
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.scene_function import Depends, SceneFunction
+from coscrew_codegen.scene.scene_function import Depends, Of, SceneFunction
 
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The function's tangent."""
     if not differentiable(function, scene):
         return None
-    results = outputs_of(function, scene)
+    results = function.outputs_in(scene)
     return replace(
         function, name=f"{function.name}_tangent", place=own.place, differentiates=function,
         words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
-        more=tuple(derivative(x, "d_", scene) for x in inputs_of(function, scene)), step=None,
+        more=tuple(derivative(x, "d_", scene) for x in function.inputs_in(scene)), step=None,
         shown=False, outputs=(*results, *(derivative(x, "d_", scene) for x in results)),
         default=own.default,
-        compute=lambda x: x.tangent(function), judged=False, members=None, targets=None)
+        compute=lambda x: x.tangent(function), judged=False, members=None, targets=Of.SCENE)
 
 
 FUNCTION = SceneFunction(

@@ -1,7 +1,5 @@
 """Wrenches that close loops."""
 
-from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import (
     IF_SELECTED,
     Array,
@@ -12,17 +10,10 @@ from coscrew_codegen.scene.scene_function import (
 )
 from coscrew_codegen.scene.units import WRENCH
 
-
-def _loops(scene: Scene) -> dict[str, str]:
-    """The scene's loops."""
-    loops = [x.name for x in scene.model.loops]
-    return dict(zip(identifiers(loops), loops, strict=True))
-
-
 FUNCTION = SceneFunction(
     "closing_LOOP", 125, "f = (force; moment) that the closure of LOOP exerts on its first body, "
     "in the frame of the body, at the loop's point, under torques tau; the opposite acts on the "
     "second body; of least norm where closures repeat each other", "q v tau",
     (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: x.closings(x.target)[1:],
     Depends.EFFECTS, IF_SELECTED,
-    (SceneQuantity("closing", Of.LOOP),), divides=True, targets=_loops)
+    (SceneQuantity("closing", Of.LOOP),), divides=True, targets=Of.LOOP)

@@ -6,15 +6,10 @@ from coscrew_codegen.scene.scene_function import (
     AxisLength,
     Default,
     SceneFunction,
-    Situation,
 )
+from coscrew_codegen.scene.situation import LOOPS, Situation
 
 BY_DEFAULT = Default("by default, if the scene has loops", lambda scene, target: True)
-
-
-def lacks(its: Situation) -> str:
-    """Says why a scene has no rows."""
-    return "" if its.scene.model.loops else "no loop is closed"
 
 
 def _units(its: Situation) -> tuple[str, ...]:
@@ -29,4 +24,4 @@ FUNCTION = SceneFunction(
     "then twice the tangents of half the angles", "q",
     (Array("phi", (AxisLength.ROWS,), (), "closures"),
      Array("E", (AxisLength.ROWS, AxisLength.NV), (), "closures for a unit of each velocity")),
-    lambda x: x.closures(), default=BY_DEFAULT, lacks=lacks, units_in=_units)
+    lambda x: x.closures(), default=BY_DEFAULT, needs=LOOPS, units_in=_units)

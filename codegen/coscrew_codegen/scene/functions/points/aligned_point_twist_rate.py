@@ -1,8 +1,7 @@
 """Accelerations of given points of bodies, in the world's axes."""
 
 from coscrew_codegen.scene.functions.bodies.body_acceleration import UNITS
-from coscrew_codegen.scene.functions.bodies.jacobian import moving
-from coscrew_codegen.scene.scene_function import Array, Depends, Frame, SceneFunction
+from coscrew_codegen.scene.scene_function import Array, Depends, Frame, Of, SceneFunction
 
 FUNCTION = SceneFunction(
     "aligned_point_twist_rate_BODY", 118,
@@ -10,4 +9,4 @@ FUNCTION = SceneFunction(
     "acceleration of its point r, and its angular acceleration, in the world's axes",
     "q v a r", (Array("A", (6,), UNITS, "in m/s^2, rad/s^2"),),
     lambda x: [x.twist_rate(x.target, Frame.ALIGNED, x.argument("r"))], Depends.GEOMETRY,
-    targets=moving)
+    targets=Of.BODY)

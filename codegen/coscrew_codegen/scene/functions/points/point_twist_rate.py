@@ -1,8 +1,7 @@
 """Rates of the twists of bodies at given points, in the bodies' axes."""
 
 from coscrew_codegen.scene.functions.bodies.body_acceleration import UNITS
-from coscrew_codegen.scene.functions.bodies.jacobian import moving
-from coscrew_codegen.scene.scene_function import Array, Depends, Frame, SceneFunction
+from coscrew_codegen.scene.scene_function import Array, Depends, Frame, Of, SceneFunction
 
 FUNCTION = SceneFunction(
     "point_twist_rate_BODY", 117,
@@ -10,4 +9,4 @@ FUNCTION = SceneFunction(
     "point_jacobian_BODY",
     "q v a r", (Array("A", (6,), UNITS, "in m/s^2, rad/s^2"),),
     lambda x: [x.twist_rate(x.target, Frame.BODY, x.argument("r"))], Depends.GEOMETRY,
-    targets=moving)
+    targets=Of.BODY)

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from coscrew_codegen.scene.functions.steps.state_rates import lacks
 from coscrew_codegen.scene.scene_function import Depends, Q, SceneFunction
+from coscrew_codegen.scene.situation import STATES
 
 FUNCTION = SceneFunction(
     "moved_states", 153, "qo = q with the states x of effects after h at the velocities v, within "
     "their bounds", "h q v", (replace(Q, name="qo"),), lambda x: [x.moved_states()],
-    Depends.EFFECTS, internal=True, lacks=lacks)
+    Depends.EFFECTS, internal=True, needs=STATES)

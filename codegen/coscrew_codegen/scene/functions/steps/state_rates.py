@@ -2,19 +2,8 @@
 
 from coscrew_codegen.scene import units
 from coscrew_codegen.scene.effect_quantities import states_of
-from coscrew_codegen.scene.scene_function import (
-    Array,
-    AxisLength,
-    Depends,
-    Q,
-    SceneFunction,
-    Situation,
-)
-
-
-def lacks(its: Situation) -> str:
-    """Says why a scene has no states of effects."""
-    return "" if states_of(its.scene) else "no effect has states"
+from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, Q, SceneFunction
+from coscrew_codegen.scene.situation import STATES, Situation
 
 
 def _units(its: Situation) -> tuple[str, ...]:
@@ -26,4 +15,4 @@ def _units(its: Situation) -> tuple[str, ...]:
 FUNCTION = SceneFunction(
     "state_rates", 152, "dx, the rates of the states x of effects, and q with x within their "
     "bounds", "q v", (Array("dx", (AxisLength.EFFECT_STATES,), (), "rates of x"), Q),
-    lambda x: x.state_rates(), Depends.EFFECTS, lacks=lacks, units_in=_units)
+    lambda x: x.state_rates(), Depends.EFFECTS, needs=STATES, units_in=_units)

@@ -1,19 +1,7 @@
 """All contacts of bodies at once: where they are, what they exert, and how deep they are."""
 
-from coscrew_codegen.scene.scene_function import (
-    Array,
-    AxisLength,
-    Depends,
-    SceneFunction,
-    Situation,
-)
-
-
-def lacks(its: Situation) -> str:
-    """Says why a scene has no contacts."""
-    return "" if any(x.effect.parts or x.effect.bodies_force for x in its.scene.effects) else \
-        "nothing touches anything"
-
+from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
+from coscrew_codegen.scene.situation import CONTACTS
 
 _N = AxisLength.CONTACTS
 FUNCTION = SceneFunction(
@@ -24,4 +12,4 @@ FUNCTION = SceneFunction(
      Array("depth", (_N,), ("1",), "over that at rest"),
      Array("share", (_N,), ("1",), "of mu N that friction takes: 1 where it slips"),
      Array("normal", (_N, 3), ("1",), "along which N pushes the body, in the world's frame")),
-    lambda x: x.contacts(), Depends.EFFECTS, lacks=lacks)
+    lambda x: x.contacts(), Depends.EFFECTS, needs=CONTACTS)

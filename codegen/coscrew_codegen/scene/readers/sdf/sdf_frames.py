@@ -7,8 +7,7 @@ from coscrew_codegen.scene.constants import constant
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
-from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residue
-from coscrew_codegen.scene.mechanism.tree import composed, inverse
+from coscrew_codegen.scene.mechanism.tree import composed, inverse, without_residue
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.sdf.sdf_elements import SdfElements

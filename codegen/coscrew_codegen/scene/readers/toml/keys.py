@@ -13,7 +13,7 @@ from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
-from coscrew_codegen.scene.readers.omissions.falling import ACCEPT
+from coscrew_codegen.scene.mechanism.notices import ACCEPT
 from coscrew_codegen.scene.recorded_quantities import STATES
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS

@@ -11,7 +11,7 @@ from coscrew_codegen.scene.mechanism.model import Body, Model
 from coscrew_codegen.scene.mechanism.model import value as value_of
 from coscrew_codegen.scene.names import nearest
 from coscrew_codegen.scene.patterns import PatternError, expanded
-from coscrew_codegen.scene.readers.omissions.unused import FIELDS, adding
+from coscrew_codegen.scene.readers.omissions import FIELDS, adding
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 from coscrew_codegen.scene.recorded_quantities import XYZ

@@ -36,7 +36,8 @@ def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...]
         if effect.name in effects:
             reading = EffectTable(effect, effects.table(effect.name), model, use)
             applied += on_parts(reading) if effect.parts else readers[effect.place](reading)
-    applied = completed(effects, model, applied)
+    if any(x.effect.completed for x in applied):
+        applied = completed(effects, model, applied)
     _refuse_on_followers(effects, model, applied)
     return tuple(applied)
 

@@ -9,21 +9,26 @@ from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.effect_quantities import states_of
-from coscrew_codegen.scene.function_selection import FunctionsError, resolved
+from coscrew_codegen.scene.function_selection import (
+    FunctionsError,
+    TiersError,
+    need_ranges,
+    on_request,
+    resolved,
+    selected,
+)
+from coscrew_codegen.scene.identifiers import identifier, refused
 from coscrew_codegen.scene.integrators import NAMES
+from coscrew_codegen.scene.mechanism.assembly import followers
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
-from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model
-from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.notices import ACCEPT, Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
-from coscrew_codegen.scene.readers.omissions.falling import ACCEPT, falling
-from coscrew_codegen.scene.readers.omissions.idle import idle
-from coscrew_codegen.scene.readers.omissions.unused import besides, unused
-from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
+from coscrew_codegen.scene.readers.omissions import besides, falling, idle, unused
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
@@ -40,15 +45,8 @@ from coscrew_codegen.scene.readers.toml.tables.ranges_table import limits_in_ran
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
-from coscrew_codegen.scene.recordable import quantities_of
-from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
+from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected, quantities_of
 from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import (
-    TiersError,
-    need_ranges,
-    on_request,
-    selected,
-)
 
 
 @dataclass(frozen=True)
@@ -166,7 +164,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
     model = alone or model_of(file, name, implausible, overrides.folders,
                               dict(overrides.arguments), overrides.leave_out)
-    model = replace(model, loops=read_loops(file, model))
+    if "loops" in file:
+        model = replace(model, loops=read_loops(file, model))
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator
 
 from coscrew_codegen.scene.function_selection import all_names
 from coscrew_codegen.scene.functions import functions_of
-from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.assembly import followers
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable
 from coscrew_codegen.scene.scene import Scene, Tolerance

@@ -3,17 +3,19 @@
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.assembly import followers
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.ranges import (
     ARGUMENTS,
+    LIMITS,
     Interval,
     Intervals,
     Ranges,
     interval,
+    limits,
+    ranges_of_model,
     symmetric,
 )
-from coscrew_codegen.scene.mechanism.ranges_of_model import LIMITS, limits, ranges_of_model
 from coscrew_codegen.scene.mechanism.tree import tree_of
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.keys import ENDS, RANGES
@@ -36,7 +38,7 @@ def read_ranges(file: TomlTable, scene: Scene) -> Ranges:
         if argument not in table:
             for joint in joints.values():
                 _refuse_faults(table, argument, joint)
-    ranges = ranges_of_model(scene, tree_of(scene.model, bool(followers(scene))))
+    ranges = ranges_of_model(tree_of(scene.model, bool(followers(scene))), scene.parameters)
     stated: dict[str, Intervals] = {}
     for argument in (x for x in ARGUMENTS if x in table):
         if argument == "t":

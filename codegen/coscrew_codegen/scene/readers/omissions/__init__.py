@@ -1,1 +1,0 @@
-"""Notices about gaps of a scene: numbers without use, idle effects, bodies that fall."""
