@@ -11,8 +11,15 @@ import pytest
 
 from coscrew_codegen.accuracy.scene_tiers import in_tier
 from coscrew_codegen.accuracy.tiers import tier_named
-from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_runtime, scene_c_tier
+from coscrew_codegen.backends.scene import (
+    scene_c,
+    scene_c_many,
+    scene_c_runtime,
+    scene_c_tier,
+    scene_runtime_header,
+)
 from coscrew_codegen.backends.scene.scene_runtime_header import fingerprint_of
+from coscrew_codegen.backends.selection import select
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
@@ -54,6 +61,15 @@ def test_every_scene_and_tier_brings_the_same_header():
     assert len({files[RUNTIME] for files in made}) == 1
     name = slider().name.upper()
     assert name not in made[0][RUNTIME] and "slider" not in made[0][RUNTIME]
+
+
+def test_the_header_comes_with_the_whole_library_and_with_no_part_of_it():
+    def made(*families: str) -> dict[str, str]:
+        return scene_runtime_header.files(select([*families], "both", None).library(
+            lambda kernels, make: make(kernels)))
+
+    assert made() == {scene_c_runtime.PATH: scene_c_runtime.files()[RUNTIME]}
+    assert made("vec3") == {}
 
 
 def test_sources_define_no_elementary_function_themselves():
