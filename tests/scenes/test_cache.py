@@ -116,7 +116,8 @@ def changed(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch
             ) -> Callable[[str, str, str], bool]:
     """Returns whether the scene's key changes with a source of the generator, in a copy of it."""
     copy = copied(tmp_path / "copy")
-    monkeypatch.setattr(sources, "_folders", lambda: (copy, copy / "templates"))
+    monkeypatch.setattr(sources, "_folders", lambda: (
+        copy, copy / "templates", copy.parent / "coscrew"))
     scene = read_scene(path)
 
     def key() -> str:
@@ -149,6 +150,7 @@ def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
             ("runtime/source_text.py", "def in_c", "X = 1\ndef in_c"),
             ("templates/scene/scene.c.jinja", "#undef RN", "#undef  RN"),
             ("templates/runtime/calls/threads.h", "#include <", "#include  <"),
+            ("../coscrew/c/coscrew_runtime.h", "#include <", "#include  <"),
             ("templates/runtime/calls/binding.c", "#include <", "#include  <")):
         assert changed(source, old, new), source
     for source, old, new in (

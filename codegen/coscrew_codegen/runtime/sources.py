@@ -37,22 +37,22 @@ slash: c/family.h.jinja, runtime/calls/threads.h, c/coscrew_runtime.h."""
 
 def read() -> Contents:
     """The sources as they stand."""
-    package, templates = _folders()
+    package, templates, generated = _folders()
     hashes = {}
     for folder, file in _files(package, (".py",)):
         inner = () if file == "__init__.py" else (file.removesuffix(".py"),)
         hashes[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
     for folder, file in _files(templates, (_TEMPLATE, *_COPIED)):
         hashes["/".join((*folder, file))] = templates.joinpath(*folder, file)
-    header = GENERATED / scene_c_runtime.PATH
+    header = generated / scene_c_runtime.PATH
     if header.is_file():  # else it is being generated
         hashes[scene_c_runtime.PATH] = header
     return {name: path.read_bytes() for name, path in hashes.items()}
 
 
-def _folders() -> tuple[Path, Path]:
-    """The folders of the package and of the templates."""
-    return Path(next(iter(import_module(ROOT).__path__))), TEMPLATES
+def _folders() -> tuple[Path, Path, Path]:
+    """The folders of the package, of the templates and of generated headers."""
+    return Path(next(iter(import_module(ROOT).__path__))), TEMPLATES, GENERATED
 
 
 def _files(root: Path, endings: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], str]]:
