@@ -9,13 +9,14 @@ from tabulate import tabulate
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.scene.function_selection import known, need_ranges, on_request
+from coscrew_codegen.scene.function_selection import known_tiers, tiers_in_ranges, tiers_on_request
 from tests.support.scenes.tiers import states
 
 SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
 NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "body_poses")
 STATES, ROUNDS = 1000, 100
-TIERS = tuple(name for name in known() if name not in (*on_request(), *need_ranges()))
+TIERS = tuple(name for name in known_tiers()
+              if name not in (*tiers_on_request(), *tiers_in_ranges()))
 
 
 def shortest(calls: list[Callable[[], object]]) -> list[float]:

@@ -26,7 +26,7 @@ from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.runtime import callables, compilation, source_text
 from coscrew_codegen.runtime.load import kernels_of
 from coscrew_codegen.runtime.request import BOTH
-from coscrew_codegen.scene.function_selection import TiersError, known, selected
+from coscrew_codegen.scene.function_selection import TiersError, known_tiers, selected_tiers
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from tests.benchmarks import cortex_m4
@@ -118,7 +118,7 @@ def test_a_tier_of_the_library_alone_is_named(monkeypatch: pytest.MonkeyPatch):
     alone = replace(tiers.PLAIN, name="quick", scene=None)
     monkeypatch.setattr(tiers, "TIERS", (*tiers.TIERS, alone))
     with pytest.raises(TiersError, match="'quick' is no tier of scenes; the library alone has it"):
-        selected(["quick"])
+        selected_tiers(["quick"])
 
 
 def test_what_is_not_there_is_named(write, capsys: pytest.CaptureFixture[str]):
@@ -153,9 +153,9 @@ def test_benchmarks_ask_for_tiers_that_scenes_without_an_accuracy_have(write, mo
 
 
 def test_plain_is_always_there():
-    assert selected(()) == selected(("plain",)) == ()
-    assert selected(known()) == tuple(tier.name for tier in OF_SCENES if tier.marked)
-    assert known()[0] == "plain"
+    assert selected_tiers(()) == selected_tiers(("plain",)) == ()
+    assert selected_tiers(known_tiers()) == tuple(tier.name for tier in OF_SCENES if tier.marked)
+    assert known_tiers()[0] == "plain"
 
 
 # files

@@ -23,9 +23,9 @@ from coscrew_codegen.scene.function_selection import (
     CONTACTS,
     FREE,
     all_names,
-    known,
+    known_tiers,
     left_out,
-    need_ranges,
+    tiers_in_ranges,
     together,
 )
 from coscrew_codegen.scene.names import listed
@@ -61,13 +61,13 @@ class Kernels:
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self.interface.tiers:
-            if name in need_ranges():
+            if name in tiers_in_ranges():
                 vars(self)[name] = module = scene_library.in_fixed_point(self.functions, name)
                 return module
             with at_callers_line():
                 vars(self)[name] = in_tier = in_tier_of(self, name)
             return in_tier
-        hint = f"; it was not selected: tiers=[{name!r}]" if name in known()[1:] else ""
+        hint = f"; it was not selected: tiers=[{name!r}]" if name in known_tiers()[1:] else ""
         raise AttributeError(f"kernels of {self.interface.name} have no attribute {name!r}{hint}",
                              name=name, obj=self)
 
@@ -241,13 +241,13 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")
     else:
-        from coscrew_codegen.scene.function_selection import selected
+        from coscrew_codegen.scene.function_selection import selected_tiers
 
         model_arguments.refuse_given(
             "load_scene", precision=precision, implausible=implausible, packages=packages,
             arguments=arguments, leave_out=leave_out)
         scene = replace(scene, functions=functions or scene.functions,
-                        tiers=selected(tiers) or scene.tiers)
+                        tiers=selected_tiers(tiers) or scene.tiers)
     if line := left_out(scene):
         warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
     with at_callers_line():

@@ -1,5 +1,5 @@
-"""The functions of a scene by name, and their selection: by `functions` in its file, by --functions
-or by load_scene.
+"""The functions and tiers of a scene by name, and their selection: by `functions` and `tiers` in
+its file, by --functions and --tier, or by load_scene.
 
 A function that is not selected is neither derived, emitted nor compiled.
 """
@@ -188,35 +188,35 @@ class TiersError(ReportedError, ValueError):
     """A tier that scenes do not have; the message lists the tiers of scenes."""
 
 
-def known() -> tuple[str, ...]:
+def known_tiers() -> tuple[str, ...]:
     """The tiers that scenes have, the cheapest first."""
     from coscrew_codegen.accuracy.tiers import OF_SCENES  # imported on use: most scenes are plain
 
     return tuple(tier.name for tier in OF_SCENES)
 
 
-def on_request() -> tuple[str, ...]:
+def tiers_on_request() -> tuple[str, ...]:
     """Returns the tiers of functions with a requested accuracy."""
     from coscrew_codegen.accuracy.tiers import OF_SCENES
 
     return tuple(tier.name for tier in OF_SCENES if tier.on_request)
 
 
-def need_ranges() -> tuple[str, ...]:
+def tiers_in_ranges() -> tuple[str, ...]:
     """Returns the tiers that need the stated ranges of arguments."""
     from coscrew_codegen.accuracy.tiers import OF_SCENES
 
     return tuple(tier.name for tier in OF_SCENES if tier.fixed)
 
 
-def selected(words: Sequence[str]) -> tuple[str, ...]:
+def selected_tiers(words: Sequence[str]) -> tuple[str, ...]:
     """The tiers of these names besides plain, which every scene has; the cheapest first.  Raises
     TiersError."""
     if not words:
         return ()
     from coscrew_codegen.accuracy.tiers import PLAIN, TIERS
 
-    names = known()
+    names = known_tiers()
     for word in words:
         if word not in names:
             of_library = word in {tier.name for tier in TIERS}

@@ -1,4 +1,5 @@
-"""Names of joints and bodies as identifiers of C and Python."""
+"""Identifiers of C and Python: of joints and bodies, and of scenes, whose names begin those of C's
+functions, and name headers and packages."""
 
 import keyword
 import re

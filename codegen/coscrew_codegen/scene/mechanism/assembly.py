@@ -1,4 +1,4 @@
-"""Assembles bodies and joints into the tree of a Model."""
+"""Assembles bodies and joints into the tree of a Model, with joints that follow others."""
 
 import heapq
 from collections.abc import Mapping, Sequence

@@ -1,4 +1,5 @@
-"""Ranges: the intervals in which the arguments of a scene's functions are stated to lie."""
+"""Ranges: the intervals in which the arguments of a scene's functions are stated to lie, by
+the scene or by the limits of its joints."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,9 @@
 """Tree: a model for the algorithms of mechanics, with bodies merged across fixed joints into links
 and coordinates numbered.
 
-Links are numbered so that parents come first; link -1 is the world.
+Links are numbered so that parents come first; link -1 is the world.  The bodies of a link have one
+inertia together.  Residues of arithmetic in files, lengths and moments that are meant to be zero,
+are removed before and after frames are composed.
 """
 
 from collections.abc import Sequence

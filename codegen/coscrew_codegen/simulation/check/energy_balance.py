@@ -1,5 +1,6 @@
 """The balance of energy along a trajectory: E(t) - E(0) = ∫ P dt, P the power of all effects that
-have no potential energy; and the momentum of floating bases, which only gravity changes.
+have no potential energy; and the momentum of floating bases, which only gravity changes; and the
+energy that effects with bristles dissipate, never less than nothing.
 
 Work between two samples is computed by Simpson's rule.  Where that does not account for the change
 of energy, the work is computed by small steps from one sample to the next, since a bounce may begin

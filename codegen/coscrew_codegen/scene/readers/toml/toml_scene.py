@@ -12,10 +12,10 @@ from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.function_selection import (
     FunctionsError,
     TiersError,
-    need_ranges,
-    on_request,
     resolved,
-    selected,
+    selected_tiers,
+    tiers_in_ranges,
+    tiers_on_request,
 )
 from coscrew_codegen.scene.identifiers import identifier, refused
 from coscrew_codegen.scene.integrators import NAMES
@@ -186,7 +186,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     if accuracy:
         selected_now = resolved(scene, functions)
         accuracy = tuple(x for x in accuracy if x.function in selected_now)
-    tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
+    tiers = selected_tiers((*_tiers(file), *(tiers_on_request() if accuracy else ())))
     drawn = limits_used(scene, accuracy) if accuracy else set()
     if drawn:
         refuse_faults(file, scene, drawn)
@@ -198,7 +198,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     if "runtime" in file:
         model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
-        tiers = selected(overrides.tiers)
+        tiers = selected_tiers(overrides.tiers)
     _refuse_without_ranges(file, tiers)
     scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
                     tiers=tiers,
@@ -233,7 +233,7 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
     if "tiers" in file and not names:
         file.refuse("tiers", 'an empty list; wanted names, as ["plain", "accurate"]')
     try:
-        return selected(names)
+        return selected_tiers(names)
     except TiersError as error:
         file.refuse("tiers", str(error))
 
@@ -241,7 +241,7 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
 def _refuse_without_ranges(file: TomlTable, tiers: tuple[str, ...]) -> None:
     """Refuse tiers whose formats follow from the ranges of arguments, if the file states none."""
     if tiers and "ranges" not in file:
-        for name in need_ranges():
+        for name in tiers_in_ranges():
             if name in tiers:
                 file.refuse("tiers", f"the {name} tier needs the ranges of arguments; wanted "
                                      "[ranges] with the largest sizes, as v = 2 and a = 10")
