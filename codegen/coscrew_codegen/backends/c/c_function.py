@@ -8,10 +8,11 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from coscrew_codegen.backends import c_early_stores
 from coscrew_codegen.backends.c.c_library import nested, quantity
 from coscrew_codegen.backends.c.c_nested import EACH, declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, broken, comment_of
-from coscrew_codegen.backends.c.c_stores import Layout, Stores, early_statements, pays_early
+from coscrew_codegen.backends.c.c_stores import Layout, Stores
 from coscrew_codegen.backends.c.c_together import (
     AngleArrays,
     Together,
@@ -97,8 +98,8 @@ class FunctionBody:
         stores = Stores(plan.program if self.plan else self.program, assigned, results,
                         self.stored.targets, layout, self.precision)
         saved = self._saved(stores.single())
-        if pays_early(stores):
-            yield from early_statements(
+        if c_early_stores.pays(stores):
+            yield from c_early_stores.statements(
                 stores, saved, partial(declarations, precision=working, width=WIDTH - 2), WIDTH - 2)
             return
         yield from declarations(stores.declared(), working, WIDTH - 2)

@@ -14,8 +14,9 @@ from coscrew_codegen.algebra.recording.recorder import headings
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
 from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.backends.c.c_stores import Layout, has_many_results, in_lines
+from coscrew_codegen.backends.c.c_stores import Layout, in_lines
 from coscrew_codegen.backends.c.c_together import together
+from coscrew_codegen.backends.c_early_stores import has_many_results
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene.scene_c_columns import ColumnLoop, column_loops

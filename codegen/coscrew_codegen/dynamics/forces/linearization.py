@@ -26,6 +26,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from coscrew_codegen.algebra.recording import numbers
+from coscrew_codegen.algebra.recording.naming import NamePart
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
     absolute,
@@ -35,7 +36,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     tanh,
     where,
 )
-from coscrew_codegen.algebra.recording.recorder import NamePart, Recorder, array
+from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.program import Program, differentiate
 from coscrew_codegen.program.differentiate import Dual
