@@ -243,8 +243,8 @@ class _Cutting:
         return Cut(groups, replace(last, inputs=(*last.inputs, *unread)))
 
     def _names(self, name: str, several: int) -> tuple[dict[_Users, str], int]:
-        """Names of the groups that no program's steps, inputs and outputs have, and the last number
-        of groups of several programs, of which there are so many before."""
+        """Names of the groups that no program's steps, inputs and outputs have; those of several
+        programs have numbers beyond `several`.  Also returns the last number."""
         taken = {name for program in self.programs for name in (
             *(a.name for a in (*program.inputs, *program.outputs)),
             *(step.name for step in program.instructions))}
