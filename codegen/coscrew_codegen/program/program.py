@@ -42,12 +42,12 @@ class Constant:
         return hash((self.double, self.single))
 
 
+ZERO, ONE = (Constant(Fraction(x), Fraction(x)) for x in (0, 1))
+
+
 def constant(value: Fraction) -> Constant:
-    """A number that is the same in both precisions."""
-    return Constant(value, value)
-
-
-ZERO, ONE = constant(Fraction(0)), constant(Fraction(1))
+    """A number that is the same in both precisions.  0 is always ZERO itself."""
+    return Constant(value, value) if value else ZERO
 
 
 class Ref(NamedTuple):
