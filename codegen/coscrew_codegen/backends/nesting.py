@@ -8,6 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 from coscrew_codegen.program import (
     Constant,
@@ -23,7 +24,6 @@ from coscrew_codegen.program import (
     sine_cosine_pairs,
 )
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
-from coscrew_codegen.program.tables import TableColumn
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 """Precedences; the last: of function calls and names."""
@@ -82,7 +82,6 @@ class Nesting:
         self._section = 0  # where the section below the last heading begins
         pairs = sine_cosine_pairs(self.program)
         self._taken: set[str] = set()  # of pairs
-        self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
                 self._heading(self.headings[number])
@@ -98,27 +97,24 @@ class Nesting:
         return [f"{self.language.comment}{x}" if isinstance(x, str) else
                 f"{', '.join(x.names)} = {x.expression}" for x in self.assigned]
 
-    def _operands(self) -> Iterator[Operand]:
-        for step in self.program.instructions:
-            yield from step.operands
-        yield from self.program.results
-
     def _take(self, step: Instruction) -> None:
         """Keep the instruction's expression for its only use, or assign it.  Operands are nested
         while the line is short enough; the longest are assigned first."""
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
         expression, precedence = self._expression(step)
-        free = [name for name in inner if not self.inlined(self._waiting[name][0])]
-        while free and len(step.name) + len(" = ") + len(expression) > self.width:
-            longest = max(free, key=lambda name: len(self._waiting[name][1]))
-            free.remove(longest)
-            inner.remove(longest)
-            self._assign(*self._waiting.pop(longest)[:2])
-            expression, precedence = self._expression(step)
+        room = self.width - len(step.name) - len(" = ")
+        if inner and len(expression) > room:
+            free = [name for name in inner if not self.inlined(self._waiting[name][0])]
+            while free and len(expression) > room:
+                longest = max(free, key=lambda name: len(self._waiting[name][1]))
+                free.remove(longest)
+                inner.remove(longest)
+                self._assign(*self._waiting.pop(longest)[:2])
+                expression, precedence = self._expression(step)
         for name in inner:
             del self._waiting[name]
-        if self._uses[step.name] == 1 and not self.named(step):
+        if self.program.uses[step.name] == 1 and not self.named(step):
             self._waiting[step.name] = step, expression, precedence
         else:
             self._assign(step, expression)
@@ -158,12 +154,17 @@ class Nesting:
     def _expression(self, step: Instruction) -> tuple[str, int]:
         spelling, precedence = self.language.spelling(step)
         operands = [self._operand(x, n)
-                    for x, n in zip(step.operands, _needed(step, spelling, precedence),
+                    for x, n in zip(step.operands, _needed(step.op, spelling, precedence),
                                     strict=False)]
         return spelling.format(*operands), precedence
 
     def _operand(self, operand: Operand, needed: int) -> str:
         """The operand's text, in parentheses if its precedence is below `needed`."""
+        if isinstance(operand, Ref):
+            if operand.name not in self._waiting:
+                return operand.name
+            _, text, precedence = self._waiting[operand.name]
+            return text if precedence >= needed else f"({text})"
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
@@ -173,23 +174,19 @@ class Nesting:
             return f"({text})" if text.startswith("-") and needed > SIGN else text
         if isinstance(operand, NotANumber):
             return self.language.not_a_number
-        if isinstance(operand, TableColumn):
-            return ""  # the spelling names it
-        if operand.name not in self._waiting:
-            return operand.name
-        _, text, precedence = self._waiting[operand.name]
-        return text if precedence >= needed else f"({text})"
+        return ""  # a table's column, which the spelling names
 
 
-def _needed(step: Instruction, spelling: str, precedence: int) -> Sequence[int]:
+@cache
+def _needed(op: Op, spelling: str, precedence: int) -> Sequence[int]:
     """The precedence that each operand of an instruction of this spelling and precedence needs."""
     if " * " in spelling:
         return PRODUCT, PRODUCT + 1  # also within a call
     if precedence == CALL:
         return [CHOICE] * 4
-    if step.op is Op.SELECT:
+    if op is Op.SELECT:
         return [COMPARISON] * 3
-    return [precedence + 1] if step.op is Op.NEG else [precedence, precedence + 1]
+    return [precedence + 1] if op is Op.NEG else [precedence, precedence + 1]
 
 
 @dataclass(frozen=True)
@@ -209,6 +206,7 @@ class NestingPlan:
 
 
 _WORD = re.compile(r"\w+")
+_BREAK = re.compile(r"[()\[\]]| (?=[-+*/?:<])")  # a bracket, or the space before an operator
 _NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
 
 
@@ -272,9 +270,12 @@ def wrapped(text: str, width: int, indent: int) -> Iterator[str]:
     operators first, as late as possible."""
     while len(text) > width:
         depth, best, least = 0, -1, len(text)
-        for place, letter in enumerate(text[:width]):
+        for match in _BREAK.finditer(text, 0, width + 1):
+            letter, place = match[0], match.start()
+            if place == width:
+                break
             depth += (letter in "([") - (letter in ")]")
-            if letter == " " and text[place + 1] in "+-*/?:<" and depth <= least:
+            if letter == " " and depth <= least:
                 best, least = place, depth
         if best < 0:
             break

@@ -87,11 +87,5 @@ def _labelled(labels: Mapping[str, NamePart], alive: set[str],
 def _only_users(program: Program) -> dict[str, Instruction]:
     """Maps each instruction that is used exactly once, by its name, to the instruction that uses
     it."""
-    results: dict[str, Instruction] = {}
-    uses = Counter(x.name for x in (*program.results, *(
-        x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
-    for step in program.instructions:
-        for x in step.operands:
-            if isinstance(x, Ref) and uses[x.name] == 1:
-                results[x.name] = step
-    return results
+    return {x.name: step for step in program.instructions for x in step.operands
+            if isinstance(x, Ref) and program.uses[x.name] == 1}

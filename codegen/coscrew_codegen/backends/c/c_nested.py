@@ -6,7 +6,8 @@ spite of every pragma.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 from itertools import groupby
 
 from coscrew_codegen.backends.c.c_statements import (
@@ -53,6 +54,8 @@ _ON_LANES = {
     Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
 _ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
+_PRODUCTS = frozenset({Op.MUL, Op.SCALE})
+_TWO = 2
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
 
@@ -61,7 +64,7 @@ def language(program: Program, precision: Precision) -> Language:
     """C in a precision, of this program."""
     precision = precision.computing(program.wide)
     rounded = frozenset() if precision.device else summed_products(program)
-    spellings = _ON_LANES if precision.lanes else _ON_DEVICE if precision.device else _SPELLING
+    spellings, each = _spellings(precision), EACH.format("{}", f=precision.called)
 
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.name in rounded:
@@ -72,15 +75,23 @@ def language(program: Program, precision: Precision) -> Language:
             return c_tables.spelled(step, precision), CALL
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
-            pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
+            pattern = pattern.format(*("{}" if _varies(x) else each for x in step.operands))
         elif precision.device and step.op is Op.SELECT and not any(map(_varies, step.operands[1:])):
             pattern = f"{{}} ? {precision.c_type}({{}}) : {{}}"
-        return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
+        return pattern, binding
 
     def constant(x: Constant) -> str:
         return precision.literal(x) + precision.suffix
 
     return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
+
+
+@cache
+def _spellings(precision: Precision) -> Mapping[Op, tuple[str, int]]:
+    """Patterns of operations on the precision's values, and their precedences."""
+    patterns = _ON_LANES if precision.lanes else _ON_DEVICE if precision.device else _SPELLING
+    return {op: (pattern.replace("%s", precision.called), binding)
+            for op, (pattern, binding) in patterns.items()}
 
 
 def spelled(step: Instruction, precision: Precision) -> tuple[str, int]:
@@ -100,16 +111,22 @@ def summed_products(program: Program) -> frozenset[str]:
     seen = {x.name for x in program.results if isinstance(x, Ref)}
     products = []
     for step in reversed(program.instructions):
-        if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
-            seen |= {x.name for x in step.operands if isinstance(x, Ref)}
-        if step.op in (Op.MUL, Op.SCALE) and step.name in seen:
+        if step.op in _PRODUCTS and step.name in seen:
             products.append(step.name)
+        if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
+            seen.update([x.name for x in step.operands if isinstance(x, Ref)])
     return frozenset(products)
 
 
 def _doubles(step: Instruction) -> bool:
-    return step.op is Op.MUL and any(
-        isinstance(x, Constant) and abs(x.double) == 2 for x in step.operands)
+    if step.op is not Op.MUL:
+        return False
+    a, b = step.operands
+    return _is_two(a) or _is_two(b)
+
+
+def _is_two(x: Operand) -> bool:
+    return isinstance(x, Constant) and abs(x.double) == _TWO
 
 
 def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision, width: int,
