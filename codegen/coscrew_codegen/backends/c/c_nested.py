@@ -30,6 +30,7 @@ from coscrew_codegen.backends.nesting import (
     wrapped,
 )
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.kept_results import kept_with
 from coscrew_codegen.program.ops import COMPARISONS, OF_TABLES
 from coscrew_codegen.program.values.formats import BY_NAME, Precision
 
@@ -105,6 +106,7 @@ def _varies(x: Operand) -> bool:
     return isinstance(x, (Input, Ref))
 
 
+@kept_with
 def summed_products(program: Program) -> frozenset[str]:
     """The products that a compiler could fuse into a sum of the program, or of a caller that uses
     its results.  A product with 2 counts as a sum, since compilers replace it by one."""
