@@ -24,6 +24,7 @@ from coscrew_codegen.program import (
     sine_cosine_pairs,
 )
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
+from coscrew_codegen.program.program import name_of
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 """Precedences; the last: of function calls and names."""
@@ -153,10 +154,11 @@ class Nesting:
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
         spelling, precedence = self.language.spelling(step)
-        operands = [self._operand(x, n)
-                    for x, n in zip(step.operands, _needed(step.op, spelling, precedence),
-                                    strict=False)]
-        return spelling.format(*operands), precedence
+        waiting, operand = self._waiting, self._operand
+        return spelling.format(*[
+            x.name if isinstance(x, Ref) and x.name not in waiting else operand(x, n)
+            for x, n in zip(step.operands, _needed(step.op, spelling, precedence), strict=False)
+        ]), precedence
 
     def _operand(self, operand: Operand, needed: int) -> str:
         """The operand's text, in parentheses if its precedence is below `needed`."""
@@ -224,19 +226,19 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
         step.name in named or not numbered(step.name)))
     chosen = {name for x in nesting.assigned if isinstance(x, Assignment) for name in x.names}
     assigned = [step.name for step in program.instructions if step.name in chosen]
-    names = _numbered(program, assigned)
+    names = _numbered(program, assigned, constants)
     return NestingPlan(renamed(program, names), frozenset(names[x] for x in assigned), constants)
 
 
 def named_constants(program: Program) -> dict[str, Constant]:
     """The program's constants that have names, each of its own, by name."""
     constants: dict[str, Constant] = {}
-    taken = _names(program)
     for step in program.instructions:
         for x in step.operands:
-            if isinstance(x, Constant) and x.name and x.name not in taken:
+            if isinstance(x, Constant) and x.name:
                 constants.setdefault(x.name, x)
-    return constants
+    taken = _names(program) if constants else ()
+    return {name: x for name, x in constants.items() if name not in taken}
 
 
 def _names(program: Program) -> set[str]:
@@ -246,22 +248,24 @@ def _names(program: Program) -> set[str]:
             *(f"{x}o" for x in arguments)}
 
 
-def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
+def _numbered(program: Program, assigned: Sequence[str], constants: Collection[str]
+              ) -> dict[str, str]:
     """New names by old: assigned instructions are numbered first, then the others; a result that
     is the only one of its stem loses its number."""
-    steps = [step.name for step in program.instructions]
-    taken = {*_names(program), *named_constants(program)}
+    stems = {step.name: match[1] for step in program.instructions
+             if (match := _NUMBERED.fullmatch(step.name))}
+    taken = {*_names(program), *constants}
     names: dict[str, str] = {}
     numbers: Counter[str] = Counter()
-    for name in dict.fromkeys((*assigned, *steps)):
-        if match := _NUMBERED.fullmatch(name):
-            numbers[match[1]] += 1
-        names[name] = f"{match[1]}_{numbers[match[1]]}" if match else name
-    alone = Counter(match[1] for x in assigned if (match := _NUMBERED.fullmatch(x)))
+    for name in dict.fromkeys((*assigned, *(step.name for step in program.instructions))):
+        if stem := stems.get(name):
+            numbers[stem] += 1
+        names[name] = f"{stem}_{numbers[stem]}" if stem else name
+    alone = Counter(stems[x] for x in assigned if x in stems)
     for x in program.results:
-        match = _NUMBERED.fullmatch(x.name) if isinstance(x, Ref) else None
-        if match and alone[match[1]] == 1 and match[1] not in taken:
-            names[match[0]] = match[1]
+        stem = stems.get(name_of(x))
+        if stem and alone[stem] == 1 and stem not in taken:
+            names[name_of(x)] = stem
     return names
 
 

@@ -186,9 +186,10 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
 def with_constants(program: Program, other: Callable[[Constant], Constant]) -> Program:
     """The program with other constants."""
     def changed(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
-        return tuple(other(x) if isinstance(x, Constant) else x for x in operands)
+        return tuple([other(x) if isinstance(x, Constant) else x for x in operands])
 
-    steps = tuple(step._replace(operands=changed(step.operands)) for step in program.instructions)
+    steps = tuple([Instruction(name, op, changed(operands), component)
+                   for name, op, operands, component in program.instructions])
     return replace(program, instructions=steps, results=changed(program.results))
 
 

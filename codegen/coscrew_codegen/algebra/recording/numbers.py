@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 Vector = tuple["Number", ...]  # of three
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True, unsafe_hash=True)  # a frozen one takes twice as long to make
 class Number:
     """An operand and its recorder.  Arithmetic on it is recorded."""
 

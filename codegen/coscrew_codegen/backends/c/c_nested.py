@@ -70,10 +70,9 @@ def language(program: Program, precision: Precision) -> Language:
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.name in rounded:
             return _ROUNDED
-        if step.op is Op.TWO_OVER_PI:
-            return spelled(step, precision)
-        if step.op in OF_TABLES:
-            return c_tables.spelled(step, precision), CALL
+        if step.op not in spellings:
+            return (c_tables.spelled(step, precision), CALL) if step.op in OF_TABLES \
+                else spelled(step, precision)
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
             pattern = pattern.format(*("{}" if _varies(x) else each for x in step.operands))
