@@ -22,7 +22,7 @@ class Number:
     operand: Operand
 
     def _with(self, op: Op, *others: "Like") -> "Number":
-        operands = tuple([self.like(x).operand for x in others])
+        operands = tuple([(x if isinstance(x, Number) else self.like(x)).operand for x in others])
         return Number(self.recorder, self.recorder.issue(op, operands))
 
     def like(self, x: "Like") -> "Number":
