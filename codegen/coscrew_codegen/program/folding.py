@@ -19,6 +19,8 @@ from coscrew_codegen.program.tables import TableColumn
 DIGITS = 60
 """Decimal digits of constants that are not short fractions: far beyond double precision."""
 
+_ADD, _SUB, _MUL, _NEG = Op.ADD, Op.SUB, Op.MUL, Op.NEG
+"""Names of this module are looked up five times as fast as members of an Enum."""
 _OF_ZERO = {Op.ADD, Op.MUL, Op.SCALE}
 _LONGEST = 1 << 1200
 _CANCELLED = 120
@@ -60,13 +62,19 @@ def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     if op in _OF_ZERO and (operands[0] is ZERO or operands[1] is ZERO):
         return _of_zero(op, *operands)
     constants = [x for x in operands if isinstance(x, Constant)]
-    if op is Op.EXP and constants and max(constants[0].double, constants[0].single) > _FAR:
-        return Folded(op, operands)
     if len(constants) == len(operands) and op is not Op.SELECT:
-        return _negative(*constants) if op is Op.NEG else _constant(op, tuple(constants))
+        return _of_constants(op, tuple(constants))
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result
+
+
+def _of_constants(op: Op, operands: tuple[Constant, ...]) -> Constant | Folded:
+    if op is _NEG:
+        return _negative(*operands)
+    if op is Op.EXP and max(operands[0].double, operands[0].single) > _FAR:
+        return Folded(op, operands)
+    return _constant(op, operands)
 
 
 def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
@@ -78,7 +86,7 @@ def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
 def _of_zero(op: Op, a: Operand, b: Operand) -> Operand:
     """Returns 0 b = 0, or a + 0 = a, the most frequent of all operations: without arithmetic.
     A constant that is a sum has no name."""
-    if op is not Op.ADD:
+    if op is not _ADD:
         return ZERO
     other = b if a is ZERO else a
     return Constant(other.double, other.single) \
@@ -88,7 +96,7 @@ def _of_zero(op: Op, a: Operand, b: Operand) -> Operand:
 def _negative(x: Constant) -> Constant:
     """-x, named with an n behind x's name, or without it."""
     name = x.name[:-1] if x.name.endswith("n") else x.name and f"{x.name}n"
-    negative = _constant(Op.NEG, (x,))
+    negative = _constant(_NEG, (x,))
     return Constant(negative.double, negative.single, name) if name else negative
 
 
@@ -100,7 +108,7 @@ def _negated(x: Operand, known: Known) -> Operand | None:
     """y if x is -y, either as an instruction or as a negative constant; else None."""
     if isinstance(x, Ref):
         step = known[x.name]
-        return step.operands[0] if step.op is Op.NEG else None
+        return step.operands[0] if step.op is _NEG else None
     return _negative(x) if isinstance(x, Constant) and x.double.numerator < 0 else None
 
 
@@ -111,11 +119,11 @@ def _add(known: Known, a: Operand, b: Operand) -> Result | None:
         return a
     x, y = _negated(a, known), _negated(b, known)
     if x is not None and y is not None:
-        return KnownSign((Op.ADD, (x, y)))
+        return KnownSign((_ADD, (x, y)))
     if y is not None:
-        return _sub(known, a, y) or Folded(Op.SUB, (a, y))
+        return _sub(known, a, y) or Folded(_SUB, (a, y))
     if x is not None:
-        return _sub(known, b, x) or Folded(Op.SUB, (b, x))
+        return _sub(known, b, x) or Folded(_SUB, (b, x))
     return _completed(known, a, b) or _completed(known, b, a) or _joined(known, a, b, 1)
 
 
@@ -123,7 +131,7 @@ def _completed(known: Known, a: Operand, b: Operand) -> Operand | None:
     """(c - x) + x is c, for a constant c."""
     if isinstance(a, Ref):
         step = known[a.name]
-        if step.op is Op.SUB and step.operands[1] == b and isinstance(step.operands[0], Constant):
+        if step.op is _SUB and step.operands[1] == b and isinstance(step.operands[0], Constant):
             return step.operands[0]
     return None
 
@@ -133,15 +141,15 @@ def _joined(known: Known, a: Operand, b: Operand, sign: int) -> Result | None:
     (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
     if x != y or isinstance(x, Constant):
         return None
-    both = _constant(Op.ADD if sign > 0 else Op.SUB, (c, k))
-    return _mul(known, both, x) or Folded(Op.MUL, (both, x))
+    both = _constant(_ADD if sign > 0 else _SUB, (c, k))
+    return _mul(known, both, x) or Folded(_MUL, (both, x))
 
 
 def _scaled(known: Known, x: Operand) -> tuple[Constant, Operand]:
     """(c, y) if x is a product c y with a constant c; else (1, x)."""
     if isinstance(x, Ref):
         step = known[x.name]
-        if step.op is Op.MUL and isinstance(factor := step.operands[0], Constant):
+        if step.op is _MUL and isinstance(factor := step.operands[0], Constant):
             return factor, step.operands[1]
     return ONE, x
 
@@ -152,11 +160,11 @@ def _sub(known: Known, a: Operand, b: Operand) -> Result | None:
     if a == b:
         return ZERO
     if _is(a, 0):
-        return _neg(known, b) or Folded(Op.NEG, (b,))
+        return _neg(known, b) or Folded(_NEG, (b,))
     if (y := _negated(b, known)) is not None:
-        return _add(known, a, y) or Folded(Op.ADD, (a, y))
+        return _add(known, a, y) or Folded(_ADD, (a, y))
     if (x := _negated(a, known)) is not None:
-        return KnownSign((Op.ADD, (x, b)))
+        return KnownSign((_ADD, (x, b)))
     return _joined(known, a, b, -1)
 
 
@@ -170,23 +178,23 @@ def _mul(known: Known, a: Operand, b: Operand) -> Result | None:
             return a
     negative_a, negative_b = _negated(a, known), _negated(b, known)
     if negative_a is not None and negative_b is not None:
-        return _mul(known, negative_a, negative_b) or Folded(Op.MUL, (negative_a, negative_b))
+        return _mul(known, negative_a, negative_b) or Folded(_MUL, (negative_a, negative_b))
     if negative_a is not None:
-        return KnownSign((Op.MUL, (negative_a, b)))
+        return KnownSign((_MUL, (negative_a, b)))
     if negative_b is not None:
-        return KnownSign((Op.MUL, (a, negative_b)))
+        return KnownSign((_MUL, (a, negative_b)))
     return _constants_joined(known, a, b) or _constants_joined(known, b, a)
 
 
 def _constants_joined(known: Known, c: Operand, x: Operand) -> Result | None:
     """c (k y) is (c k) y."""
-    if not (isinstance(c, Constant) and isinstance(x, Ref) and known[x.name].op is Op.MUL):
+    if not (isinstance(c, Constant) and isinstance(x, Ref) and known[x.name].op is _MUL):
         return None
     k, y = known[x.name].operands
     if not isinstance(k, Constant):
         return None
-    both = _constant(Op.MUL, (c, k))
-    return y if _is(both, 1) else Folded(Op.MUL, (both, y))
+    both = _constant(_MUL, (c, k))
+    return y if _is(both, 1) else Folded(_MUL, (both, y))
 
 
 def _div(known: Known, a: Operand, b: Operand) -> Result | None:
@@ -200,7 +208,7 @@ def _div(known: Known, a: Operand, b: Operand) -> Result | None:
     if negative_b is not None:
         return KnownSign((Op.DIV, (a, negative_b)))
     if isinstance(b, Constant) and _is_power_of_two(b):
-        return Folded(Op.MUL, (Constant(1 / b.double, 1 / b.single), a))
+        return Folded(_MUL, (Constant(1 / b.double, 1 / b.single), a))
     return None
 
 

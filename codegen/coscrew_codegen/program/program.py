@@ -133,7 +133,7 @@ class Program:
 
     @cached_property
     def uses(self) -> Mapping[str, int]:
-        """How often instructions and results use each instruction, by its name; 0 for others."""
+        """Counts the uses of each instruction by others and by results; 0 for other names."""
         return Counter([x.name for step in self.instructions for x in step.operands
                         if isinstance(x, Ref)]
                        + [x.name for x in self.results if isinstance(x, Ref)])

@@ -56,6 +56,7 @@ _ON_LANES = {
 _ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _PRODUCTS = frozenset({Op.MUL, Op.SCALE})
+_MUL = Op.MUL
 _TWO = 2
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
@@ -112,18 +113,13 @@ def summed_products(program: Program) -> frozenset[str]:
     seen = {x.name for x in program.results if isinstance(x, Ref)}
     products = []
     for step in reversed(program.instructions):
-        if step.op in _PRODUCTS and step.name in seen:
-            products.append(step.name)
-        if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
-            seen.update([x.name for x in step.operands if isinstance(x, Ref)])
+        name, op, operands, _ = step
+        if op in _PRODUCTS and name in seen:
+            products.append(name)
+        if op in _SUMS or op in _TRANSPARENT and name in seen or \
+                op is _MUL and any(map(_is_two, operands)):
+            seen.update([x.name for x in operands if isinstance(x, Ref)])
     return frozenset(products)
-
-
-def _doubles(step: Instruction) -> bool:
-    if step.op is not Op.MUL:
-        return False
-    a, b = step.operands
-    return _is_two(a) or _is_two(b)
 
 
 def _is_two(x: Operand) -> bool:
