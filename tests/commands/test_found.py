@@ -250,3 +250,11 @@ def test_two_targets_that_write_one_file_are_refused(site):
         file.unlink()
     assert "c/coscrew.h is made by two targets: amalgamated C headers and twice" in done.stderr
     assert done.returncode != 0 and not (site / "refused").exists()
+
+
+def test_helpers_of_targets_are_not_imported():
+    code = ("import sys; from coscrew_codegen.backends import targets; print(len(targets()), "
+            "'coscrew_codegen.backends.html.plots' in sys.modules)")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    count, imported = done.stdout.split()
+    assert int(count) >= 10 and imported == "False"

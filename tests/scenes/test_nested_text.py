@@ -1,8 +1,9 @@
 """Nested text equals its Program; every product that is added or subtracted is rounded first."""
 
+import gc
 import random
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import pytest
@@ -12,6 +13,7 @@ from coscrew_codegen.backends.nesting import NestingPlan, planned
 from coscrew_codegen.backends.scene.scene_text import access
 from coscrew_codegen.program import Constant, Input, Op, Operand, Program
 from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
+from coscrew_codegen.program.kept_results import kept_with
 from coscrew_codegen.program.values.formats import DOUBLE
 from tests.support.scenes.generated_scenes import Writer, argument
 
@@ -112,3 +114,23 @@ def test_results_and_chosen_products_are_rounded() -> None:
     total = w.do("total", Op.ADD, choice, b)
     program = w.function("f", "", (argument("y", 2),), [result, total]).program
     assert summed_products(program) == {"chosen", "result"}
+
+
+def test_results_are_kept_with_their_program_alone() -> None:
+    """Equal programs have results of their own; none outlives its program."""
+    lengths: list[int] = []
+
+    @kept_with
+    def length(program: Program) -> int:
+        lengths.append(len(program.instructions))
+        return lengths[-1]
+
+    one = drawn(1, 20)
+    other = replace(one)
+    assert one == other and [length(x) for x in (one, other, one, other)] == [20] * 4
+    assert len(lengths) == 2
+    del one, other
+    gc.collect()
+    programs = [drawn(1, n) for n in range(21, 41)]
+    for x in programs:  # a copy stands in memory where the one before it stood
+        assert length(replace(x)) == len(x.instructions)

@@ -122,23 +122,29 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
     point now at the origin).  R is the rotation of a quaternion q, whose rate is q' = ½ (ω; 0) q.
     Every entry of operator(D) is then a polynomial N over n = |q|², and every entry of
     operator(D)^-1 a polynomial K over n.  (N' n - N n') K is divisible by n³, and D cancels.
+    Quotients are polynomials in 1/n here: to find common divisors took five sixths of the time.
     """
     v, w = lin(s), ang(s)
     q = sp.symbols("q_x q_y q_z q_w")
     t = sp.Matrix(sp.symbols("t_0:3"))
-    D = displacement(rotation_of_quaternion(q), t)
+    size, inverse_size = sum(x**2 for x in q), sp.Symbol("m")
+    D = displacement(rotation_of_quaternion(q).xreplace({1 / size: inverse_size}), t)
     imaginary = sp.Matrix(q[:3])
     q_rate = [*((q[3] * w + w.cross(imaginary)) / 2), -w.dot(imaginary) / 2]
     t_rate = v + w.cross(t)
 
-    ring = sp.QQ[(*q, *t, *s)]
+    ring = sp.QQ[(inverse_size, *q, *t, *s)]
     rates = [(ring.from_sympy(x), ring.from_sympy(y))
              for x, y in zip((*q, *t), (*q_rate, *t_rate), strict=True)]
-    n = ring.from_sympy(sum(x**2 for x in q))
+    n = ring.from_sympy(size)
+
+    def numerator(x: sp.Expr) -> PolyElement:
+        terms = ring.from_sympy(x).terms()  # of degree 2 in 1/n at most
+        return sum((n**(2 - powers[0]) * ring.ring.term_new((0, *powers[1:]), factor)
+                    for powers, factor in terms), ring.zero).exquo(n)
 
     def numerators(M: sp.Matrix) -> DomainMatrix:
-        return DomainMatrix([[ring.from_sympy(sp.expand(sp.cancel(x * n.as_expr()))) for x in row]
-                             for row in M.tolist()], M.shape, ring)
+        return DomainMatrix([[numerator(x) for x in row] for row in M.tolist()], M.shape, ring)
 
     def rate(x: PolyElement) -> PolyElement:
         return sum((x.diff(variable) * y for variable, y in rates), ring.zero)

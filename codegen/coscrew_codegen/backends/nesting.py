@@ -8,6 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 from coscrew_codegen.program import (
     Constant,
@@ -23,7 +24,7 @@ from coscrew_codegen.program import (
     sine_cosine_pairs,
 )
 from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
-from coscrew_codegen.program.tables import TableColumn
+from coscrew_codegen.program.program import name_of
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 """Precedences; the last: of function calls and names."""
@@ -82,7 +83,6 @@ class Nesting:
         self._section = 0  # where the section below the last heading begins
         pairs = sine_cosine_pairs(self.program)
         self._taken: set[str] = set()  # of pairs
-        self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
                 self._heading(self.headings[number])
@@ -98,27 +98,24 @@ class Nesting:
         return [f"{self.language.comment}{x}" if isinstance(x, str) else
                 f"{', '.join(x.names)} = {x.expression}" for x in self.assigned]
 
-    def _operands(self) -> Iterator[Operand]:
-        for step in self.program.instructions:
-            yield from step.operands
-        yield from self.program.results
-
     def _take(self, step: Instruction) -> None:
         """Keep the instruction's expression for its only use, or assign it.  Operands are nested
         while the line is short enough; the longest are assigned first."""
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
         expression, precedence = self._expression(step)
-        free = [name for name in inner if not self.inlined(self._waiting[name][0])]
-        while free and len(step.name) + len(" = ") + len(expression) > self.width:
-            longest = max(free, key=lambda name: len(self._waiting[name][1]))
-            free.remove(longest)
-            inner.remove(longest)
-            self._assign(*self._waiting.pop(longest)[:2])
-            expression, precedence = self._expression(step)
+        room = self.width - len(step.name) - len(" = ")
+        if inner and len(expression) > room:
+            free = [name for name in inner if not self.inlined(self._waiting[name][0])]
+            while free and len(expression) > room:
+                longest = max(free, key=lambda name: len(self._waiting[name][1]))
+                free.remove(longest)
+                inner.remove(longest)
+                self._assign(*self._waiting.pop(longest)[:2])
+                expression, precedence = self._expression(step)
         for name in inner:
             del self._waiting[name]
-        if self._uses[step.name] == 1 and not self.named(step):
+        if self.program.uses[step.name] == 1 and not self.named(step):
             self._waiting[step.name] = step, expression, precedence
         else:
             self._assign(step, expression)
@@ -157,13 +154,19 @@ class Nesting:
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
         spelling, precedence = self.language.spelling(step)
-        operands = [self._operand(x, n)
-                    for x, n in zip(step.operands, _needed(step, spelling, precedence),
-                                    strict=False)]
-        return spelling.format(*operands), precedence
+        waiting, operand = self._waiting, self._operand
+        return spelling.format(*[
+            x.name if isinstance(x, Ref) and x.name not in waiting else operand(x, n)
+            for x, n in zip(step.operands, _needed(step.op, spelling, precedence), strict=False)
+        ]), precedence
 
     def _operand(self, operand: Operand, needed: int) -> str:
         """The operand's text, in parentheses if its precedence is below `needed`."""
+        if isinstance(operand, Ref):
+            if operand.name not in self._waiting:
+                return operand.name
+            _, text, precedence = self._waiting[operand.name]
+            return text if precedence >= needed else f"({text})"
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
@@ -173,23 +176,19 @@ class Nesting:
             return f"({text})" if text.startswith("-") and needed > SIGN else text
         if isinstance(operand, NotANumber):
             return self.language.not_a_number
-        if isinstance(operand, TableColumn):
-            return ""  # the spelling names it
-        if operand.name not in self._waiting:
-            return operand.name
-        _, text, precedence = self._waiting[operand.name]
-        return text if precedence >= needed else f"({text})"
+        return ""  # a table's column, which the spelling names
 
 
-def _needed(step: Instruction, spelling: str, precedence: int) -> Sequence[int]:
+@cache
+def _needed(op: Op, spelling: str, precedence: int) -> Sequence[int]:
     """The precedence that each operand of an instruction of this spelling and precedence needs."""
     if " * " in spelling:
         return PRODUCT, PRODUCT + 1  # also within a call
     if precedence == CALL:
         return [CHOICE] * 4
-    if step.op is Op.SELECT:
+    if op is Op.SELECT:
         return [COMPARISON] * 3
-    return [precedence + 1] if step.op is Op.NEG else [precedence, precedence + 1]
+    return [precedence + 1] if op is Op.NEG else [precedence, precedence + 1]
 
 
 @dataclass(frozen=True)
@@ -209,6 +208,7 @@ class NestingPlan:
 
 
 _WORD = re.compile(r"\w+")
+_BREAK = re.compile(r"[()\[\]]| (?=[-+*/?:<])")  # a bracket, or the space before an operator
 _NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
 
 
@@ -226,19 +226,19 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
         step.name in named or not numbered(step.name)))
     chosen = {name for x in nesting.assigned if isinstance(x, Assignment) for name in x.names}
     assigned = [step.name for step in program.instructions if step.name in chosen]
-    names = _numbered(program, assigned)
+    names = _numbered(program, assigned, constants)
     return NestingPlan(renamed(program, names), frozenset(names[x] for x in assigned), constants)
 
 
 def named_constants(program: Program) -> dict[str, Constant]:
     """The program's constants that have names, each of its own, by name."""
     constants: dict[str, Constant] = {}
-    taken = _names(program)
     for step in program.instructions:
         for x in step.operands:
-            if isinstance(x, Constant) and x.name and x.name not in taken:
+            if isinstance(x, Constant) and x.name:
                 constants.setdefault(x.name, x)
-    return constants
+    taken = _names(program) if constants else ()
+    return {name: x for name, x in constants.items() if name not in taken}
 
 
 def _names(program: Program) -> set[str]:
@@ -248,22 +248,24 @@ def _names(program: Program) -> set[str]:
             *(f"{x}o" for x in arguments)}
 
 
-def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
+def _numbered(program: Program, assigned: Sequence[str], constants: Collection[str]
+              ) -> dict[str, str]:
     """New names by old: assigned instructions are numbered first, then the others; a result that
     is the only one of its stem loses its number."""
-    steps = [step.name for step in program.instructions]
-    taken = {*_names(program), *named_constants(program)}
+    stems = {step.name: match[1] for step in program.instructions
+             if (match := _NUMBERED.fullmatch(step.name))}
+    taken = {*_names(program), *constants}
     names: dict[str, str] = {}
     numbers: Counter[str] = Counter()
-    for name in dict.fromkeys((*assigned, *steps)):
-        if match := _NUMBERED.fullmatch(name):
-            numbers[match[1]] += 1
-        names[name] = f"{match[1]}_{numbers[match[1]]}" if match else name
-    alone = Counter(match[1] for x in assigned if (match := _NUMBERED.fullmatch(x)))
+    for name in dict.fromkeys((*assigned, *(step.name for step in program.instructions))):
+        if stem := stems.get(name):
+            numbers[stem] += 1
+        names[name] = f"{stem}_{numbers[stem]}" if stem else name
+    alone = Counter(stems[x] for x in assigned if x in stems)
     for x in program.results:
-        match = _NUMBERED.fullmatch(x.name) if isinstance(x, Ref) else None
-        if match and alone[match[1]] == 1 and match[1] not in taken:
-            names[match[0]] = match[1]
+        stem = stems.get(name_of(x))
+        if stem and alone[stem] == 1 and stem not in taken:
+            names[name_of(x)] = stem
     return names
 
 
@@ -272,9 +274,12 @@ def wrapped(text: str, width: int, indent: int) -> Iterator[str]:
     operators first, as late as possible."""
     while len(text) > width:
         depth, best, least = 0, -1, len(text)
-        for place, letter in enumerate(text[:width]):
+        for match in _BREAK.finditer(text, 0, width + 1):
+            letter, place = match[0], match.start()
+            if place == width:
+                break
             depth += (letter in "([") - (letter in ")]")
-            if letter == " " and text[place + 1] in "+-*/?:<" and depth <= least:
+            if letter == " " and depth <= least:
                 best, least = place, depth
         if best < 0:
             break

@@ -23,10 +23,10 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
     """Every file of a scene, by its path in the output folder, also those of its functions of many
     states if `many`, and for CUDA if `cuda`; their first lines name `command` as what makes them.
     Raises ValueError for names that cannot be used in C or Python."""
-    banner = banner_of(functions.name, command)
+    banner, tiers = banner_of(functions.name, command), tuple(tiers_of(functions))
     made = [(target.name, target.scene(functions, banner)) for target in targets()
             if target.generated and target.scene]
-    made += [(target.name, target.tier(tier, banner)) for tier in tiers_of(functions)
+    made += [(target.name, target.tier(tier, banner)) for tier in tiers
              for target in targets() if target.generated and target.tier]
     for fixed in fixed_of(functions):
         made += [(target.name, files(fixed, banner)) for target in targets() for files, wanted in (
@@ -34,11 +34,11 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
             if files and wanted]
     made += [(target.name, target.many(functions, banner)) for target in targets()
              if many and target.many]
-    made += [(target.name, target.many_tier(tier, banner)) for tier in tiers_of(functions)
+    made += [(target.name, target.many_tier(tier, banner)) for tier in tiers
              for target in targets() if many and target.many_tier]
     made += [(target.name, target.cuda(functions, banner)) for target in targets()
              if cuda and target.cuda]
-    made += [(target.name, target.cuda_tier(tier, banner)) for tier in tiers_of(functions)
+    made += [(target.name, target.cuda_tier(tier, banner)) for tier in tiers
              for target in targets() if cuda and target.cuda_tier]
     return _gathered(made)
 

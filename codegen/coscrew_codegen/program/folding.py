@@ -5,7 +5,6 @@ remains only where a result needs it.  The rules change two values only: the sig
 times infinity or NaN, which becomes 0."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
@@ -14,13 +13,15 @@ import mpmath
 
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref, constant
 from coscrew_codegen.program.interpreter import exactly
+from coscrew_codegen.program.program import ONE, ZERO
 from coscrew_codegen.program.tables import TableColumn
 
 DIGITS = 60
 """Decimal digits of constants that are not short fractions: far beyond double precision."""
 
+_ADD, _SUB, _MUL, _NEG = Op.ADD, Op.SUB, Op.MUL, Op.NEG
+"""Names of this module are looked up five times as fast as members of an Enum."""
 _OF_ZERO = {Op.ADD, Op.MUL, Op.SCALE}
-_ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
 _LONGEST = 1 << 1200
 _CANCELLED = 120
 """Bits of a sum of constants that cancel when only the rounding of its terms keeps it from zero.
@@ -58,37 +59,45 @@ def fraction(value: Fraction | int) -> Fraction:
 
 def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     """op(operands) folded: an operand, or the instruction that remains to be issued."""
+    if op in _OF_ZERO and (operands[0] is ZERO or operands[1] is ZERO):
+        return _of_zero(op, *operands)
     constants = [x for x in operands if isinstance(x, Constant)]
-    if op is Op.EXP and constants and max(constants[0].double, constants[0].single) > _FAR:
-        return Folded(op, operands)
     if len(constants) == len(operands) and op is not Op.SELECT:
-        return _negative(*constants) if op is Op.NEG else _constant(op, tuple(constants))
+        return _of_constants(op, tuple(constants))
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result
 
 
+def _of_constants(op: Op, operands: tuple[Constant, ...]) -> Constant | Folded:
+    if op is _NEG:
+        return _negative(*operands)
+    if op is Op.EXP and max(operands[0].double, operands[0].single) > _FAR:
+        return Folded(op, operands)
+    return _constant(op, operands)
+
+
 def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
-    if op in _OF_ZERO and (result := _of_zero(op, *operands)):
-        return result
-    double = _evaluated(op, tuple(x.double for x in operands))
-    if all(x.single is x.double or x.single == x.double for x in operands):
-        return Constant(double, double)
-    return Constant(double, _evaluated(op, tuple(x.single for x in operands)))
+    doubles, singles = tuple([x.double for x in operands]), tuple([x.single for x in operands])
+    double = _evaluated(op, doubles)
+    return constant(double) if singles == doubles else Constant(double, _evaluated(op, singles))
 
 
-def _of_zero(op: Op, a: Constant, b: Constant) -> Constant | None:
-    """Returns 0 b = 0, or a + 0 = a, the most frequent of all operations: without arithmetic."""
-    for x, y in ((a, b), (b, a)):
-        if not (x.double.numerator or x.single.numerator) and (op is not Op.ADD or not y.name):
-            return y if op is Op.ADD else _ZERO
-    return None
+def _of_zero(op: Op, a: Operand, b: Operand) -> Operand:
+    """Returns 0 b = 0, or a + 0 = a, the most frequent of all operations: without arithmetic.
+    A constant that is a sum has no name."""
+    if op is not _ADD:
+        return ZERO
+    other = b if a is ZERO else a
+    return Constant(other.double, other.single) \
+        if isinstance(other, Constant) and other.name else other
 
 
 def _negative(x: Constant) -> Constant:
     """-x, named with an n behind x's name, or without it."""
     name = x.name[:-1] if x.name.endswith("n") else x.name and f"{x.name}n"
-    return replace(_constant(Op.NEG, (x,)), name=name)
+    negative = _constant(_NEG, (x,))
+    return Constant(negative.double, negative.single, name) if name else negative
 
 
 def _is(x: Operand, number: int) -> bool:
@@ -97,11 +106,10 @@ def _is(x: Operand, number: int) -> bool:
 
 def _negated(x: Operand, known: Known) -> Operand | None:
     """y if x is -y, either as an instruction or as a negative constant; else None."""
-    if isinstance(x, Constant):
-        return _negative(x) if x.double.numerator < 0 else None
-    if isinstance(x, Ref) and known[x.name].op is Op.NEG:
-        return known[x.name].operands[0]
-    return None
+    if isinstance(x, Ref):
+        step = known[x.name]
+        return step.operands[0] if step.op is _NEG else None
+    return _negative(x) if isinstance(x, Constant) and x.double.numerator < 0 else None
 
 
 def _add(known: Known, a: Operand, b: Operand) -> Result | None:
@@ -111,20 +119,20 @@ def _add(known: Known, a: Operand, b: Operand) -> Result | None:
         return a
     x, y = _negated(a, known), _negated(b, known)
     if x is not None and y is not None:
-        return KnownSign((Op.ADD, (x, y)))
+        return KnownSign((_ADD, (x, y)))
     if y is not None:
-        return _sub(known, a, y) or Folded(Op.SUB, (a, y))
+        return _sub(known, a, y) or Folded(_SUB, (a, y))
     if x is not None:
-        return _sub(known, b, x) or Folded(Op.SUB, (b, x))
+        return _sub(known, b, x) or Folded(_SUB, (b, x))
     return _completed(known, a, b) or _completed(known, b, a) or _joined(known, a, b, 1)
 
 
 def _completed(known: Known, a: Operand, b: Operand) -> Operand | None:
     """(c - x) + x is c, for a constant c."""
-    if isinstance(a, Ref) and known[a.name].op is Op.SUB:
-        c, x = known[a.name].operands
-        if x == b and isinstance(c, Constant):
-            return c
+    if isinstance(a, Ref):
+        step = known[a.name]
+        if step.op is _SUB and step.operands[1] == b and isinstance(step.operands[0], Constant):
+            return step.operands[0]
     return None
 
 
@@ -133,64 +141,65 @@ def _joined(known: Known, a: Operand, b: Operand, sign: int) -> Result | None:
     (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
     if x != y or isinstance(x, Constant):
         return None
-    both = _constant(Op.ADD if sign > 0 else Op.SUB, (c, k))
-    return _mul(known, both, x) or Folded(Op.MUL, (both, x))
+    both = _constant(_ADD if sign > 0 else _SUB, (c, k))
+    return _mul(known, both, x) or Folded(_MUL, (both, x))
 
 
 def _scaled(known: Known, x: Operand) -> tuple[Constant, Operand]:
     """(c, y) if x is a product c y with a constant c; else (1, x)."""
-    if isinstance(x, Ref) and known[x.name].op is Op.MUL:
-        c, y = known[x.name].operands
-        if isinstance(c, Constant):
-            return c, y
-    return _ONE, x
+    if isinstance(x, Ref):
+        step = known[x.name]
+        if step.op is _MUL and isinstance(factor := step.operands[0], Constant):
+            return factor, step.operands[1]
+    return ONE, x
 
 
 def _sub(known: Known, a: Operand, b: Operand) -> Result | None:
     if _is(b, 0):
         return a
     if a == b:
-        return _ZERO
+        return ZERO
     if _is(a, 0):
-        return _neg(known, b) or Folded(Op.NEG, (b,))
+        return _neg(known, b) or Folded(_NEG, (b,))
     if (y := _negated(b, known)) is not None:
-        return _add(known, a, y) or Folded(Op.ADD, (a, y))
+        return _add(known, a, y) or Folded(_ADD, (a, y))
     if (x := _negated(a, known)) is not None:
-        return KnownSign((Op.ADD, (x, b)))
+        return KnownSign((_ADD, (x, b)))
     return _joined(known, a, b, -1)
 
 
 def _mul(known: Known, a: Operand, b: Operand) -> Result | None:
-    if _is(a, 0) or _is(b, 0):
-        return _ZERO
-    if _is(a, 1):
-        return b
-    if _is(b, 1):
-        return a
+    if isinstance(a, Constant) or isinstance(b, Constant):
+        if _is(a, 0) or _is(b, 0):
+            return ZERO
+        if _is(a, 1):
+            return b
+        if _is(b, 1):
+            return a
     negative_a, negative_b = _negated(a, known), _negated(b, known)
     if negative_a is not None and negative_b is not None:
-        return _mul(known, negative_a, negative_b) or Folded(Op.MUL, (negative_a, negative_b))
+        return _mul(known, negative_a, negative_b) or Folded(_MUL, (negative_a, negative_b))
     if negative_a is not None:
-        return KnownSign((Op.MUL, (negative_a, b)))
+        return KnownSign((_MUL, (negative_a, b)))
     if negative_b is not None:
-        return KnownSign((Op.MUL, (a, negative_b)))
+        return KnownSign((_MUL, (a, negative_b)))
     return _constants_joined(known, a, b) or _constants_joined(known, b, a)
 
 
 def _constants_joined(known: Known, c: Operand, x: Operand) -> Result | None:
     """c (k y) is (c k) y."""
-    if not (isinstance(c, Constant) and isinstance(x, Ref) and known[x.name].op is Op.MUL):
+    if not (isinstance(c, Constant) and isinstance(x, Ref) and known[x.name].op is _MUL):
         return None
     k, y = known[x.name].operands
     if not isinstance(k, Constant):
         return None
-    both = _constant(Op.MUL, (c, k))
-    return y if _is(both, 1) else Folded(Op.MUL, (both, y))
+    both = _constant(_MUL, (c, k))
+    return y if _is(both, 1) else Folded(_MUL, (both, y))
 
 
 def _div(known: Known, a: Operand, b: Operand) -> Result | None:
     if _is(a, 0):
-        return _ZERO
+        return ZERO
     if _is(b, 1):
         return a
     negative_a, negative_b = _negated(a, known), _negated(b, known)
@@ -199,7 +208,7 @@ def _div(known: Known, a: Operand, b: Operand) -> Result | None:
     if negative_b is not None:
         return KnownSign((Op.DIV, (a, negative_b)))
     if isinstance(b, Constant) and _is_power_of_two(b):
-        return Folded(Op.MUL, (Constant(1 / b.double, 1 / b.single), a))
+        return Folded(_MUL, (Constant(1 / b.double, 1 / b.single), a))
     return None
 
 
@@ -256,7 +265,9 @@ def _is_power_of_two(x: Constant) -> bool:
 def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
     if op in _APPROXIMATED:
         return _approximated(op, values)
-    exact = Fraction(_EXACTLY[op](*values))
+    exact = _EXACTLY[op](*values)
+    if not isinstance(exact, Fraction):
+        exact = Fraction(exact)
     if op in (Op.ADD, Op.SUB) and exact and _size(exact) < max(map(_size, values)) - _CANCELLED:
         return Fraction(0)
     return _shortened(exact)

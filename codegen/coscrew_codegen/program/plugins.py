@@ -1,11 +1,13 @@
 """Finds effects, tiers, targets, readers …: adding or deleting a file adds or removes one.
 
 Each is a module of its package and assigns the object to an agreed name, such as `EFFECT`.  Modules
-without that name are helpers of the others."""
+without that name in their text are helpers of the others, and are not imported for this."""
 
 import sys
 from collections.abc import Iterable
 from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
 from pkgutil import walk_packages
 from typing import Protocol, TypeVar
 
@@ -29,7 +31,7 @@ def discover(package: str, path: Iterable[str], attribute: str, kind: type[Found
     owners: dict[str, str] = {}
     things: list[Found] = []
     for name in sorted(x.name for x in walk_packages(path, f"{package}.") if not x.ispkg):
-        thing = getattr(import_module(name), attribute, None)
+        thing = getattr(import_module(name), attribute, None) if _has(name, attribute) else None
         module = name.removeprefix(f"{package}.")
         if thing is None:
             continue
@@ -42,6 +44,13 @@ def discover(package: str, path: Iterable[str], attribute: str, kind: type[Found
         owners[thing.name] = module
         things.append(thing)
     return tuple(things)
+
+
+def _has(module: str, attribute: str) -> bool:
+    """Returns whether the text of a module, or its bytecode, has this word."""
+    spec = find_spec(module)
+    return not (spec and spec.origin and spec.has_location) or \
+        attribute.encode() in Path(spec.origin).read_bytes()
 
 
 def holder(package: str, attribute: str, thing: object) -> str:

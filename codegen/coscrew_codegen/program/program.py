@@ -6,7 +6,7 @@ single precision, on NumPy arrays, on exact rationals or on symbols alike.
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import groupby
@@ -42,12 +42,12 @@ class Constant:
         return hash((self.double, self.single))
 
 
+ZERO, ONE = (Constant(Fraction(x), Fraction(x)) for x in (0, 1))
+
+
 def constant(value: Fraction) -> Constant:
-    """A number that is the same in both precisions."""
-    return Constant(value, value)
-
-
-ZERO, ONE = constant(Fraction(0)), constant(Fraction(1))
+    """A number that is the same in both precisions.  0 is always ZERO itself."""
+    return Constant(value, value) if value else ZERO
 
 
 class Ref(NamedTuple):
@@ -127,8 +127,16 @@ class Program:
         return hash((self.name, self.instructions, self.results, self.wide))
 
     def __getstate__(self) -> Mapping[str, object]:
-        """Returns what is pickled: all but the hash, since other processes hash texts otherwise."""
-        return {name: x for name, x in vars(self).items() if name != "_hash"}
+        """Returns what is pickled: the fields, without what is computed from them; other processes
+        hash texts otherwise."""
+        return {x.name: getattr(self, x.name) for x in fields(self)}
+
+    @cached_property
+    def uses(self) -> Mapping[str, int]:
+        """Counts the uses of each instruction by others and by results; 0 for other names."""
+        return Counter([x.name for step in self.instructions for x in step.operands
+                        if isinstance(x, Ref)]
+                       + [x.name for x in self.results if isinstance(x, Ref)])
 
     @property
     def counts(self) -> Mapping[Op, int]:
@@ -159,26 +167,29 @@ def without_dead_steps(program: Program) -> Program:
     for step in reversed(program.instructions):
         if step.name in used:
             kept.append(step)
-            used |= {x.name for x in step.operands if isinstance(x, Ref)}
+            used.update([x.name for x in step.operands if isinstance(x, Ref)])
     return replace(program, instructions=tuple(reversed(kept)))
 
 
 def renamed(program: Program, names: Mapping[str, str]) -> Program:
     """The program with other names of its instructions."""
-    def other(x: Operand) -> Operand:
-        return Ref(names[x.name]) if isinstance(x, Ref) else x
+    others = {old: Ref(new) for old, new in names.items()}
 
-    steps = tuple(step._replace(name=names[step.name], operands=tuple(map(other, step.operands)))
-                  for step in program.instructions)
-    return replace(program, instructions=steps, results=tuple(map(other, program.results)))
+    def changed(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
+        return tuple([others[x.name] if isinstance(x, Ref) else x for x in operands])
+
+    steps = tuple([Instruction(names[name], op, changed(operands), component)
+                   for name, op, operands, component in program.instructions])
+    return replace(program, instructions=steps, results=changed(program.results))
 
 
 def with_constants(program: Program, other: Callable[[Constant], Constant]) -> Program:
     """The program with other constants."""
     def changed(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
-        return tuple(other(x) if isinstance(x, Constant) else x for x in operands)
+        return tuple([other(x) if isinstance(x, Constant) else x for x in operands])
 
-    steps = tuple(step._replace(operands=changed(step.operands)) for step in program.instructions)
+    steps = tuple([Instruction(name, op, changed(operands), component)
+                   for name, op, operands, component in program.instructions])
     return replace(program, instructions=steps, results=changed(program.results))
 
 

@@ -3,7 +3,6 @@ here does, CONTRIBUTING.md shows one.
 
 A chain of additions in which only the next one uses each partial sum is one sum of many terms."""
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -30,11 +29,9 @@ def rearranged(program: Program, tree: Callable[[Sequence[Term]], Tree]) -> Prog
 
     `tree` receives the terms in the order of the program.  There are as many additions as before,
     under their old names; other instructions stay as they are."""
-    uses = Counter(x.name for x in (*program.results, *(
-        x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
     sums = {step.name: step for step in program.instructions if step.op in _SUMS}
     partial = {x.name for step in sums.values() for x in step.operands
-               if isinstance(x, Ref) and x.name in sums and uses[x.name] == 1}
+               if isinstance(x, Ref) and x.name in sums and program.uses[x.name] == 1}
     steps: list[Instruction] = []
     for step in program.instructions:
         if step.name in sums and step.name not in partial:

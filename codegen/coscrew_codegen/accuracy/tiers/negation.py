@@ -4,7 +4,6 @@ gcc may use an instruction that negates a fused sum before rounding; the sign of
 depends on the processor.  So no fused sum is negated, or subtracted from a product that is fused.
 """
 
-from collections import Counter
 from dataclasses import replace
 
 from coscrew_codegen.program import Instruction, Op, Program, Ref
@@ -16,9 +15,7 @@ _OTHER = {Op.ADD: Op.SUB, Op.SUB: Op.ADD}
 def negating_terms(program: Program) -> Program:
     """The program with -(a ± b) as (-a) ∓ b, and c d - (a ± b) as ((-a) ∓ b) + c d, where the sum
     is used only there; if a is such a sum itself, it is treated in the same way."""
-    used = (*program.results, *(x for step in program.instructions for x in step.operands))
-    uses = Counter(x.name for x in used if isinstance(x, Ref))
-    once = {step.name: step.op for step in program.instructions if uses[step.name] == 1}
+    once = {step.name: step.op for step in program.instructions if program.uses[step.name] == 1}
     rewriting = _Rewriting(once)
     for step in reversed(program.instructions):
         rewriting.mark(step)

@@ -300,10 +300,10 @@ class Sizes:
     def do(self, op: Op, *operands: Operand, name: str = "size") -> Operand:
         """Issue an instruction, once.  Sums and products of constant sizes, and certain NaNs, are
         computed here; 0 and 1 cost nothing."""
-        if op not in (Op.SELECT, Op.LESS) and NotANumber() in operands:
+        if op not in (Op.SELECT, Op.LESS) and any(isinstance(x, NotANumber) for x in operands):
             return NotANumber()
         if op.meaning.commutes:
-            operands = tuple(sorted(operands, key=str))
+            operands = tuple(sorted(operands, key=_order))
         if op in (Op.ADD, Op.MUL):
             neutral = ZERO if op is Op.ADD else ONE
             if neutral in operands:
@@ -315,3 +315,10 @@ class Sizes:
         if (op, operands) not in self._done:
             self._done[op, operands] = self.errors.issue(self._at, op, operands, name)
         return self._done[op, operands]
+
+
+def _order(x: Operand) -> tuple[int, str]:
+    """Sort key: constants first, then inputs, then results by their names."""
+    if isinstance(x, Ref):
+        return 2, x.name
+    return (0, "") if isinstance(x, Constant) else (1, str(x))

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, renamed
 
@@ -16,14 +17,14 @@ class NamePart:
     heading: str = ""
     suffix: str = ""  # of a vector's or matrix's component: x, yz
 
-    @property
+    @cached_property
     def stem(self) -> str:
         """The beginning of its instructions' names: w3x, elbow_viscous_tau."""
         if self.owner.isdigit():
             return f"{self.symbol}{self.owner}{self.suffix}"
         return f"{self.owner}_{self.symbol}{self.suffix}" if self.symbol else self.owner
 
-    @property
+    @cached_property
     def component(self) -> str:
         """The `component` of its instructions."""
         return f"{self.heading}:{self.stem}"
@@ -86,11 +87,5 @@ def _labelled(labels: Mapping[str, NamePart], alive: set[str],
 def _only_users(program: Program) -> dict[str, Instruction]:
     """Maps each instruction that is used exactly once, by its name, to the instruction that uses
     it."""
-    results: dict[str, Instruction] = {}
-    uses = Counter(x.name for x in (*program.results, *(
-        x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
-    for step in program.instructions:
-        for x in step.operands:
-            if isinstance(x, Ref) and uses[x.name] == 1:
-                results[x.name] = step
-    return results
+    return {x.name: step for step in program.instructions for x in step.operands
+            if isinstance(x, Ref) and program.uses[x.name] == 1}

@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
 
 from coscrew_codegen.algebra.lowering.programs import library_program
 from coscrew_codegen.algebra.recording.naming import NamePart, named
@@ -31,6 +30,7 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    constant,
     without_dead_steps,
 )
 from coscrew_codegen.program.folding import Folded, KnownSign, folded, fraction
@@ -39,7 +39,7 @@ from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.program.values.quantity import Argument, Quantity
 
 Numbers = Sequence[Number]
-
+_COMMUTE = frozenset(op for op in Op if op.meaning.commutes)
 
 COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 6: ("xx", "yy", "zz", "xy", "xz", "yz"),
               9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")}
@@ -68,7 +68,7 @@ class Recorder:
         self._labels: dict[str, NamePart] = {}  # of values, by the name of their instruction
         self.heading = ""  # of the part in which a division by zero occurred
         self._arithmetic: Arithmetic[Operand] = Arithmetic(
-            lambda x: x, lambda step, _: partial(self._issued_of, step.op), NotANumber())
+            lambda x: x, self._issuing, NotANumber())
         self._replays: dict[str, Callable[[Sequence[Sequence[Operand]]], list[Operand]]] = {}
 
     # inputs and constants
@@ -87,8 +87,7 @@ class Recorder:
         """A constant, or a parameter's element of the input p."""
         if isinstance(value, Parameter):
             return self.argument("p")[value.index]
-        exact = fraction(value)
-        return Number(self, Constant(exact, exact))
+        return Number(self, constant(fraction(value)))
 
     def numbers(self, values: Sequence[Scalar | int]) -> tuple[Number, ...]:
         """Each of them as a Number."""
@@ -167,7 +166,7 @@ class Recorder:
     def _replayed(self, run: Callable[[Sequence[Sequence[Operand]]], list[Operand]],
                   arguments: Sequence[Number | Numbers]) -> tuple[Number, ...]:
         given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
-        return tuple(Number(self, x) for x in run(given))
+        return tuple([Number(self, x) for x in run(given)])
 
     @property
     def arithmetic(self) -> Arithmetic[Number]:
@@ -178,8 +177,8 @@ class Recorder:
                 step.op, tuple(x.operand for x in numbers))),
             Number(self, NotANumber()), lambda x: Number(self, x))
 
-    def _issued_of(self, op: Op, *operands: Operand) -> Operand:
-        return self.issue(op, operands)
+    def _issuing(self, step: Instruction, _: int) -> Callable[..., Operand]:
+        return lambda *operands: self.issue(step.op, operands)
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
         """The operand that holds op(operands): folded, issued earlier, or issued now."""
@@ -189,13 +188,13 @@ class Recorder:
                 return self.issue(Op.NEG, (self.issue(*result.of),))
             if not isinstance(result, Folded):
                 return result
-            op, operands = result.op, result.operands
-            if op.meaning.commutes:
-                operands = tuple(sorted(operands, key=_order))
-        key = (op, operands)
-        if key not in self._issued:
-            self._issued[key] = self._new(op, operands)
-        return self._issued[key]
+            op, operands = result
+            if op in _COMMUTE and _order(operands[1]) < _order(operands[0]):
+                operands = operands[1], operands[0]
+        key = op, operands
+        if (issued := self._issued.get(key)) is None:
+            issued = self._issued[key] = self._new(op, operands)
+        return issued
 
     def _new(self, op: Op, operands: tuple[Operand, ...]) -> Ref:
         name = f"{len(self._instructions):06}"

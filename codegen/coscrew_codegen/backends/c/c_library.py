@@ -8,7 +8,6 @@ comparison stands in it.
 """
 
 import re
-from collections import Counter
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -68,10 +67,8 @@ def exact_products(program: Program, working: Precision) -> frozenset[str]:
 
 def sums_of_products(program: Program, exact: Collection[str]) -> dict[str, Instruction]:
     """The exact products that are used once, by a sum or difference, by its name: one each."""
-    uses = Counter(x.name for x in (*program.results, *(
-        x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
     products = {step.name: step for step in program.instructions
-                if step.name in exact and uses[step.name] == 1}
+                if step.name in exact and program.uses[step.name] == 1}
     sums: dict[str, Instruction] = {}
     for step in program.instructions:
         if step.op in (Op.ADD, Op.SUB):

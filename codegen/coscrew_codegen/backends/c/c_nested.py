@@ -6,7 +6,8 @@ spite of every pragma.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 from itertools import groupby
 
 from coscrew_codegen.backends.c.c_statements import (
@@ -29,6 +30,7 @@ from coscrew_codegen.backends.nesting import (
     wrapped,
 )
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.kept_results import kept_with
 from coscrew_codegen.program.ops import COMPARISONS, OF_TABLES
 from coscrew_codegen.program.values.formats import BY_NAME, Precision
 
@@ -53,6 +55,9 @@ _ON_LANES = {
     Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
 _ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
+_PRODUCTS = frozenset({Op.MUL, Op.SCALE})
+_MUL = Op.MUL
+_TWO = 2
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
 
@@ -61,26 +66,33 @@ def language(program: Program, precision: Precision) -> Language:
     """C in a precision, of this program."""
     precision = precision.computing(program.wide)
     rounded = frozenset() if precision.device else summed_products(program)
-    spellings = _ON_LANES if precision.lanes else _ON_DEVICE if precision.device else _SPELLING
+    spellings, each = _spellings(precision), EACH.format("{}", f=precision.called)
 
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.name in rounded:
             return _ROUNDED
-        if step.op is Op.TWO_OVER_PI:
-            return spelled(step, precision)
-        if step.op in OF_TABLES:
-            return c_tables.spelled(step, precision), CALL
+        if step.op not in spellings:
+            return (c_tables.spelled(step, precision), CALL) if step.op in OF_TABLES \
+                else spelled(step, precision)
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
-            pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
+            pattern = pattern.format(*("{}" if _varies(x) else each for x in step.operands))
         elif precision.device and step.op is Op.SELECT and not any(map(_varies, step.operands[1:])):
             pattern = f"{{}} ? {precision.c_type}({{}}) : {{}}"
-        return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
+        return pattern, binding
 
     def constant(x: Constant) -> str:
         return precision.literal(x) + precision.suffix
 
     return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
+
+
+@cache
+def _spellings(precision: Precision) -> Mapping[Op, tuple[str, int]]:
+    """Patterns of operations on the precision's values, and their precedences."""
+    patterns = _ON_LANES if precision.lanes else _ON_DEVICE if precision.device else _SPELLING
+    return {op: (pattern.replace("%s", precision.called), binding)
+            for op, (pattern, binding) in patterns.items()}
 
 
 def spelled(step: Instruction, precision: Precision) -> tuple[str, int]:
@@ -94,22 +106,24 @@ def _varies(x: Operand) -> bool:
     return isinstance(x, (Input, Ref))
 
 
+@kept_with
 def summed_products(program: Program) -> frozenset[str]:
     """The products that a compiler could fuse into a sum of the program, or of a caller that uses
     its results.  A product with 2 counts as a sum, since compilers replace it by one."""
     seen = {x.name for x in program.results if isinstance(x, Ref)}
     products = []
     for step in reversed(program.instructions):
-        if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
-            seen |= {x.name for x in step.operands if isinstance(x, Ref)}
-        if step.op in (Op.MUL, Op.SCALE) and step.name in seen:
-            products.append(step.name)
+        name, op, operands, _ = step
+        if op in _PRODUCTS and name in seen:
+            products.append(name)
+        if op in _SUMS or op in _TRANSPARENT and name in seen or \
+                op is _MUL and any(map(_is_two, operands)):
+            seen.update([x.name for x in operands if isinstance(x, Ref)])
     return frozenset(products)
 
 
-def _doubles(step: Instruction) -> bool:
-    return step.op is Op.MUL and any(
-        isinstance(x, Constant) and abs(x.double) == 2 for x in step.operands)
+def _is_two(x: Operand) -> bool:
+    return isinstance(x, Constant) and abs(x.double) == _TWO
 
 
 def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision, width: int,

@@ -6,7 +6,6 @@ all of them or grows by one.
 """
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,7 +14,7 @@ from itertools import groupby
 from coscrew_codegen.backends.c.c_statements import listed
 from coscrew_codegen.backends.c.c_together import UNROLLED, Together, without_empty_sections
 from coscrew_codegen.backends.nesting import Assignment
-from coscrew_codegen.program import Constant, Input, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Input, Program, Ref
 from coscrew_codegen.program.values.formats import Precision
 
 _INDEX = re.compile(r"\[(\d+)\]")
@@ -199,13 +198,9 @@ class Stores:
     @cached_property
     def _own(self) -> dict[str, str]:
         """Expressions that are assigned for one result alone, by name."""
+        uses = self.program.uses
         return {x.step.name: x.expression for x in self.assigned
-                if isinstance(x, Assignment) and not x.cosine and self._uses[x.step.name] == 1}
-
-    @cached_property
-    def _uses(self) -> Counter[str]:
-        operands: list[Operand] = [x for step in self.program.instructions for x in step.operands]
-        return Counter(x.name for x in (*operands, *self.program.results) if isinstance(x, Ref))
+                if isinstance(x, Assignment) and not x.cosine and uses[x.step.name] == 1}
 
     def _read(self, expression: str) -> list[tuple[str, int]]:
         """The arguments that an expression reads, each with the number of its index."""

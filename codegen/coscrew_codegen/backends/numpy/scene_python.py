@@ -108,7 +108,8 @@ def _module(scene: SceneFunctions, plans: Sequence[NestingPlan], banner: str, pr
     counted = {op for f in functions for op in f.program.counts}
     names = {NUMPY_NAMES[op] for op in counted & set(NUMPY_NAMES)}
     names |= {"errstate", precision.numpy_type, working.numpy_type}
-    if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
+    if any(isinstance(x, NotANumber) for f in functions for step in f.program.instructions
+           for x in step.operands):
         names.add("nan")
     names |= {"zeros_like"} if any(step.zeros for step in scene.steps) else set()
     splits = [x for step in scene.steps for x in step.body if isinstance(x, Split)]

@@ -247,8 +247,8 @@ class FunctionParts:
 
     def _constants_beside(self, function: FunctionProgram) -> dict[str, dict[str, Operand]]:
         """Results that are constants, by their targets, by the first value that a part stores in
-        the same row.  Behind all parts, zeros of sparse matrices come faster than caches take them.
-        """
+        the same row.  Behind all parts, zeros of sparse matrices come faster than caches take
+        them."""
         of_row: dict[tuple[str, int], dict[str, Operand]] = {}
         beside: dict[str, dict[str, Operand]] = {}
         length = rows(outputs(function))

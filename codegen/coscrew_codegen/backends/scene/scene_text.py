@@ -13,6 +13,7 @@ from coscrew_codegen.backends.c.c_nested import language
 from coscrew_codegen.backends.nesting import NestingPlan, planned
 from coscrew_codegen.backends.scene import scene_symbols
 from coscrew_codegen.program import Constant, Input, Program, counts_in_words
+from coscrew_codegen.program.kept_results import kept_with
 from coscrew_codegen.program.scene_functions import (
     FunctionProgram,
     IntegratorStep,
@@ -139,8 +140,12 @@ VALUE_WIDTH = 150
 
 def plans(scene: SceneFunctions) -> list[NestingPlan]:
     """Plans the assignments of each function: the same in all languages and precisions."""
-    return [planned(f.program, language(f.program, DOUBLE), access(f.program), VALUE_WIDTH)
-            for f in scene.functions]
+    return [_planned(f.program) for f in scene.functions]
+
+
+@kept_with
+def _planned(program: Program) -> NestingPlan:
+    return planned(program, language(program, DOUBLE), access(program), VALUE_WIDTH)
 
 
 def access(program: Program) -> Callable[[Input], str]:

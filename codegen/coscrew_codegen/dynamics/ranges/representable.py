@@ -66,12 +66,15 @@ def refuse_quotients(scene: Scene, function: FunctionProgram, inputs: Mapping[st
                      ) -> None:
     """Raise RangeError for the first quotient of the function that one of the scene's precisions
     cannot represent, for inputs by name."""
-    program = function.program
-    if not any(step.op is Op.DIV for step in program.instructions):
+    program, precisions = function.program, named(scene.precisions)
+    if Op.DIV not in program.counts:
         return
-    for precision in named(scene.precisions):
+    alike = all(x.double == x.single for _, x in _constants(function))
+    for precision in precisions:
+        if precision == precisions[0] or not alike:
+            quotients = _quotients(program, precision, inputs)
         largest = precision.limit("max")
-        for where, quotient in _quotients(program, precision, inputs):
+        for where, quotient in quotients:
             if abs(quotient) > largest:
                 _refuse(scene, Constant(quotient, quotient), SUBNORMAL,
                         f"{where or function.name}: its numbers are divided to "

@@ -53,11 +53,16 @@ class Format:
 
     def rounded_up(self, x: Fraction) -> Fraction:
         """x >= 0 rounded up to this many digits, with no limit to the exponent."""
-        exponent = x.numerator.bit_length() - x.denominator.bit_length() - self.digits - 1
-        unit = Fraction(2)**exponent  # too small by 1 or 2 bits
-        while x / unit > 2**self.digits:
-            unit *= 2
-        return ceil(x / unit) * unit
+        top, bottom = x.as_integer_ratio()
+        exponent = top.bit_length() - bottom.bit_length() - self.digits - 1
+        if exponent >= 0:  # 2^exponent is the unit, too small by 1 or 2 bits
+            bottom <<= exponent
+        else:
+            top <<= -exponent
+        while top > bottom << self.digits:
+            bottom, exponent = bottom << 1, exponent + 1
+        count = -(-top // bottom)
+        return Fraction(count << exponent) if exponent >= 0 else Fraction(count, 1 << -exponent)
 
 
 @dataclass(frozen=True)

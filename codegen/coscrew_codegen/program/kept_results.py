@@ -1,0 +1,27 @@
+"""Results that are computed once for each object and kept as long as it exists."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import TypeVar
+from weakref import finalize
+
+Given = TypeVar("Given")
+Result = TypeVar("Result")
+
+
+def kept_with(function: Callable[[Given], Result]) -> Callable[[Given], Result]:
+    """The function, whose results are kept with its argument.
+
+    Objects are told apart by identity: equal Programs may differ in the names of their constants,
+    and so in text."""
+    results: dict[int, Result] = {}
+
+    @wraps(function)
+    def kept(x: Given) -> Result:
+        place = id(x)
+        if place not in results:
+            results[place] = function(x)
+            finalize(x, results.pop, place).atexit = False
+        return results[place]
+
+    return kept
