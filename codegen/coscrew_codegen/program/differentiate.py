@@ -12,7 +12,7 @@ from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from coscrew_codegen.program.interpreter import Arithmetic, interpreter
 from coscrew_codegen.program.ops import DerivativeFunctions, Op, Slopes
-from coscrew_codegen.program.program import Constant, Instruction, Operand, Program, name_of
+from coscrew_codegen.program.program import Constant, Instruction, Operand, Program, Ref, name_of
 
 V = TypeVar("V")
 X = TypeVar("X", bound="Dual[Any] | _Node[Any]")
@@ -45,8 +45,10 @@ class Dual(Generic[V]):
 
 def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFunctions,
             inputs: Sequence[Sequence[Dual[V]]], partials_of: Partials = of_table,
-            product: Product = times) -> list[Dual[V]]:
-    """The results with their derivatives along the directions that the inputs carry."""
+            product: Product = times,
+            known: Mapping[V, Dual[V]] | None = None) -> list[Dual[V]]:
+    """The results with their derivatives along the directions that the inputs carry.  Those of
+    intermediate values may be `known`."""
     count = len(next(x for given in inputs for x in given).slopes)
     chain = _ChainRule[Dual[V]](program, functions, partials_of)
 
@@ -59,6 +61,8 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
         def apply(*operands: Dual[V]) -> Dual[V]:
             y = compute(*(x.value for x in operands))
             chain.keep(step, operands)
+            if known and y in known:
+                return known[y]
             if step.op is Op.SELECT:
                 test, a, b = operands
                 return Dual(y, tuple(_chosen(functions, test.value, *pair)
@@ -95,6 +99,10 @@ def _along(step: Instruction, partials: Sequence[Any], slopes: Sequence[V | None
     return None if total is None else cast(V, total)
 
 
+_DERIVATIVE = {Op.SIN: Op.COS, Op.COS: Op.SIN}
+"""The function in the derivative of a sine and of a cosine."""
+
+
 class _Turned(NamedTuple):
     """A term ±sin θ x or ±cos θ x of a sum."""
 
@@ -105,8 +113,12 @@ class _Turned(NamedTuple):
 
 
 def _turned(program: Program) -> Mapping[str, tuple[_Turned, _Turned]]:
-    """The sums of two terms with a sine or a cosine of one angle, by their names."""
+    """The sums of two terms with a sine or a cosine of one angle, by their names, of which the
+    program computes a product of the other component as well."""
     steps = {step.name: step for step in program.instructions}
+    circular = {(step.op, step.operands): Ref(step.name) for step in program.instructions
+                if step.op in _DERIVATIVE}
+    products = {frozenset(step.operands) for step in program.instructions if step.op is Op.MUL}
 
     def terms(x: Operand, negative: bool) -> list[_Turned]:
         product = steps.get(name_of(x))
@@ -114,7 +126,11 @@ def _turned(program: Program) -> Mapping[str, tuple[_Turned, _Turned]]:
             return []
         factors = [steps.get(name_of(factor)) for factor in product.operands]
         return [_Turned(negative, factor, product, 1 - place) for place, factor
-                in enumerate(factors) if factor and factor.op in (Op.SIN, Op.COS)]
+                in enumerate(factors) if factor and factor.op in _DERIVATIVE]
+
+    def is_known(term: _Turned) -> bool:
+        other = circular.get((_DERIVATIVE[term.circular.op], term.circular.operands))
+        return frozenset({other, term.product.operands[term.place]}) in products
 
     result = {}
     for step in program.instructions:
@@ -122,7 +138,8 @@ def _turned(program: Program) -> Mapping[str, tuple[_Turned, _Turned]]:
             first, second = (terms(x, k == 1 and step.op is Op.SUB)
                              for k, x in enumerate(step.operands))
             for pair in itertools.product(first, second):
-                if pair[0].circular.operands == pair[1].circular.operands:
+                if pair[0].circular.operands == pair[1].circular.operands and any(
+                        map(is_known, pair)):
                     result[step.name] = pair
                     break
     return result
@@ -180,19 +197,24 @@ class _Node(Generic[V]):
 
 def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFunctions,
             inputs: Sequence[Sequence[V]], weights: Sequence[V], partials_of: Partials = of_table,
-            product: Product = times) -> tuple[list[V], list[list[V | None]]]:
+            product: Product = times, independent: Sequence[V] = ()
+            ) -> tuple[list[V], list[list[V | None]]]:
     """(results, derivatives of Σ weight · result by the components of each input); None is zero.
-    One pass forward and one back, for any number of inputs. """
+    One pass forward and one back, for any number of inputs.  Intermediate values that are
+    `independent` count as a further input: those by the inputs do not pass through them. """
     made: list[tuple[Instruction, _Node[V]]] = []
     chain = _ChainRule[_Node[V]](program, functions, partials_of)
+    leaves = {x: _Node(x) for x in independent}
 
     def function(step: Instruction, number: int) -> Callable[..., _Node[V]]:
         compute = arithmetic.function(step, number)
 
         def apply(*operands: _Node[V]) -> _Node[V]:
             node = _Node(compute(*(x.value for x in operands)), operands)
-            made.append((step, node))
             chain.keep(step, operands)
+            if leaves and node.value in leaves:
+                return leaves[node.value]
+            made.append((step, node))
             return node
 
         return apply
@@ -200,7 +222,8 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
     nan = arithmetic.not_a_number
     tape = Arithmetic(lambda x: _Node(arithmetic.constant(x)), function,
                       None if nan is None else _Node(nan), lambda x: _Node(arithmetic.column(x)))
-    given = [[_Node(x) for x in components] for components in inputs]
+    given = [[leaves.get(x) or _Node(x) for x in row] if leaves else [*map(_Node, row)]
+             for row in inputs]
     results = interpreter(program, tape)(given)
     adjoints: dict[_Node[V], V] = {}
     for node, weight in zip(results, weights, strict=True):
@@ -208,7 +231,8 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
     for step, node in reversed(made):
         if node in adjoints:
             _propagate(functions, adjoints, step, node, chain, product)
-    return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
+    rows = [*given, [leaves[x] for x in independent]] if leaves else given
+    return [x.value for x in results], [[adjoints.get(x) for x in row] for row in rows]
 
 
 def _propagate(functions: DerivativeFunctions, adjoints: dict[_Node[V], V], step: Instruction,

@@ -1,10 +1,14 @@
 """Motion of coordinates: q ⊕ phi by exponentials, and the rate of phi for given velocities."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
     add,
+    angular,
+    cross,
+    dot,
+    linear,
     rotated,
     scaled,
     subtract,
@@ -117,6 +121,23 @@ def chart(motion: Motion, states: bool = False) -> list[list[Number | None]]:
     one = motion.recorder.number(1)
     return [*rows, *([one if motion.tree.nv + k == j else None for j in range(width)]
                      for k in range(len(motion.x)))]
+
+
+def displacement_charts(motion: Motion) -> Iterator[dict[Number, list[Number | None]]]:
+    """For each row (r, t) of the displacement of each joint with a manifold, the rows of its
+    entries' derivatives by φ of q ⊕ φ at φ = 0: r × e and r·l for a screw (l; e), fewer operations
+    than the chain through a quaternion takes."""
+    for number, link in enumerate(motion.tree.links):
+        if link.driver or not link.joint.kind.manifold:
+            continue
+        D, screws = motion.frame(number), motion.subspace(number)
+        for r, t in ((D[k:k + 3], D[k + 3]) for k in (0, 4, 8)):
+            by = [(*cross(r, angular(s)), dot(r, linear(s))) for s in screws]
+            rows: dict[Number, list[Number | None]] = {}
+            for entry, own in zip((*r, t), zip(*by, strict=True), strict=True):
+                rows[entry] = [None] * (motion.tree.nv + len(motion.x))
+                rows[entry][link.v.start:link.v.stop] = [None if x.is_zero else x for x in own]
+            yield rows
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:
