@@ -103,54 +103,71 @@ _DERIVATIVE = {Op.SIN: Op.COS, Op.COS: Op.SIN}
 """The function in the derivative of a sine and of a cosine."""
 
 
-class _Turned(NamedTuple):
-    """A term ±sin θ x or ±cos θ x of a sum."""
+class _Term(NamedTuple):
+    """±x sin θ or ±x cos θ."""
 
     negative: bool
     circular: Instruction  # the sine or the cosine
     product: Instruction
     place: int  # of x in the product
 
+    @property
+    def falls(self) -> bool:
+        """True if its derivative by θ is minus a product."""
+        return self.negative != (self.circular.op is Op.COS)
 
-def _turned(program: Program) -> Mapping[str, tuple[_Turned, _Turned]]:
-    """The sums of two terms with a sine or a cosine of one angle, by their names, of which the
-    program computes a product of the other component as well."""
+
+class _Turned(NamedTuple):
+    """A term, or a sum of two with one angle: a component of a turned vector.  The program computes
+    the other component, `opposite` to the derivative by the angle, or one of its products."""
+
+    terms: tuple[_Term, ...]
+    opposite: bool = False
+
+
+def _turned(program: Program) -> Mapping[str, _Turned]:
+    """The components of turned vectors, by the names of instructions."""
     steps = {step.name: step for step in program.instructions}
     circular = {(step.op, step.operands): Ref(step.name) for step in program.instructions
                 if step.op in _DERIVATIVE}
-    products = {frozenset(step.operands) for step in program.instructions if step.op is Op.MUL}
+    products = {frozenset(step.operands): Ref(step.name) for step in program.instructions
+                if step.op is Op.MUL}
+    differences = {step.operands for step in program.instructions if step.op is Op.SUB}
 
-    def terms(x: Operand, negative: bool) -> list[_Turned]:
+    def terms(x: Operand, negative: bool) -> list[_Term]:
         product = steps.get(name_of(x))
         if product is None or product.op is not Op.MUL:
             return []
         factors = [steps.get(name_of(factor)) for factor in product.operands]
-        return [_Turned(negative, factor, product, 1 - place) for place, factor
+        return [_Term(negative, factor, product, 1 - place) for place, factor
                 in enumerate(factors) if factor and factor.op in _DERIVATIVE]
 
-    def is_known(term: _Turned) -> bool:
-        other = circular.get((_DERIVATIVE[term.circular.op], term.circular.operands))
-        return frozenset({other, term.product.operands[term.place]}) in products
+    def other(term: _Term) -> Operand | None:
+        """The product in the other component."""
+        factor = circular.get((_DERIVATIVE[term.circular.op], term.circular.operands))
+        return factor and products.get(frozenset({factor, term.product.operands[term.place]}))
 
-    result = {}
-    for step in program.instructions:
-        if step.op in (Op.ADD, Op.SUB):
-            first, second = (terms(x, k == 1 and step.op is Op.SUB)
-                             for k, x in enumerate(step.operands))
-            for pair in itertools.product(first, second):
-                if pair[0].circular.operands == pair[1].circular.operands and any(
-                        map(is_known, pair)):
-                    result[step.name] = pair
-                    break
-    return result
+    def turned(step: Instruction) -> _Turned | None:
+        if step.op is Op.MUL:
+            return next((_Turned((x,)) for x in terms(Ref(step.name), False) if other(x)), None)
+        if step.op not in (Op.ADD, Op.SUB):
+            return None
+        for pair in itertools.product(*(terms(x, k == 1 and step.op is Op.SUB)
+                                        for k, x in enumerate(step.operands))):
+            if pair[0].circular.operands == pair[1].circular.operands and any(map(other, pair)):
+                a, b = sorted(pair, key=lambda x: not x.falls)
+                return _Turned(pair, a.falls > b.falls and (other(a), other(b)) in differences)
+        return None
+
+    return {step.name: x for step in program.instructions if (x := turned(step))}
 
 
 class _ChainRule(Generic[X]):
     """The variables of each step, and its partial derivatives with respect to them.
 
-    Variables are the step's operands; but those of a sum ±sin θ x ± cos θ y are θ, x and y.  The
-    derivative by θ is the other component of the turned vector, up to its sign, which is mostly
-    computed anyway: each sum takes 5 operations along a direction instead of 7."""
+    Variables are the step's operands; but those of a sum ±x sin θ ± y cos θ are θ, x and y.  The
+    derivative by θ is the other component of the turned vector, up to its sign.  Where that is
+    computed anyway, each sum takes 5 operations along a direction instead of 7."""
 
     def __init__(self, program: Program, functions: DerivativeFunctions, partials_of: Partials):
         self._functions, self._partials_of = functions, partials_of
@@ -170,11 +187,11 @@ class _ChainRule(Generic[X]):
             return (), ()
         return derived(self._functions, *(x.value for x in operands), result), operands
 
-    def _of_turned(self, terms: tuple[_Turned, _Turned]) -> tuple[Sequence[Any], Sequence[X]]:
+    def _of_turned(self, turned: _Turned) -> tuple[Sequence[Any], Sequence[X]]:
         of_angle: list[Any] = []
         others: list[Any] = []
         variables: list[X] = []
-        for term in terms:
+        for term in turned.terms:
             factors = self._operands[term.product.name]
             x, circular = factors[term.place], factors[1 - term.place].value
             (angle,), derived = (self._operands[term.circular.name],
@@ -184,7 +201,10 @@ class _ChainRule(Generic[X]):
             of_angle.append(-(slope * x.value) if term.negative else slope * x.value)
             others.append(-circular if term.negative else circular)
             variables.append(x)
-        return (of_angle[0] + of_angle[1], *others), (angle, *variables)
+        by_angle = of_angle[0]
+        for y in of_angle[1:]:
+            by_angle = -(-by_angle - y) if turned.opposite else by_angle + y
+        return (by_angle, *others), (angle, *variables)
 
 
 @dataclass(frozen=True, eq=False)

@@ -124,9 +124,9 @@ def chart(motion: Motion, states: bool = False) -> list[list[Number | None]]:
 
 
 def displacement_charts(motion: Motion) -> Iterator[dict[Number, list[Number | None]]]:
-    """For each row (r, t) of the displacement of each joint with a manifold, the rows of its
-    entries' derivatives by φ of q ⊕ φ at φ = 0: r × e and r·l for a screw (l; e), fewer operations
-    than the chain through a quaternion takes."""
+    """Yields, for each row (r, t) of the displacement of each joint with a manifold, the rows of
+    its entries' derivatives by φ of q ⊕ φ at φ = 0: r × e and r·l for a screw (l; e), in fewer
+    operations than the chain through a quaternion takes."""
     for number, link in enumerate(motion.tree.links):
         if link.driver or not link.joint.kind.manifold:
             continue
