@@ -13,7 +13,6 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.program.program import name_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.scene_function import Array, Numbers, Results, SceneFunction
 
@@ -32,7 +31,7 @@ def tangent(x: FunctionRecording, function: SceneFunction, program: Program) -> 
         if a.is_coordinates:
             with x.recorder.part("rates", a.name):
                 known |= {y: Dual(y, (_combined(row, direction),))
-                          for y, row in _displacements(x, _at(x, n)).items()}
+                          for y, row in coordinates.displacement_chart(_at(x, n)).items()}
                 direction = coordinates.rates(_at(x, n), direction)
         duals.append([known.get(y, Dual(y, (d,))) for y, d in zip(n, direction, strict=True)])
     with x.recorder.part("tangent"):
@@ -99,16 +98,10 @@ def _weights(x: FunctionRecording, a: Array, y: Numbers, weight: Numbers) -> Num
 def _chart(x: FunctionRecording, q: Numbers) -> dict[Number, Row]:
     """The rows by velocities of coordinates and of the displacements that follow from them."""
     with x.recorder.part("chart"):
-        displacements = _displacements(x, motion := _at(x, q))
+        motion = _at(x, q)
+        displacements = coordinates.displacement_chart(motion)
         rows = coordinates.chart(motion, states=True)
         return {**dict(zip(q, rows, strict=True)), **displacements}
-
-
-def _displacements(x: FunctionRecording, motion: Motion) -> dict[Number, Row]:
-    """The rows by velocities of those rows of joints' displacements that the function computes."""
-    computed = {"", *(step.name for step in x.recorder.issued(0))}
-    return {y: row for rows in coordinates.displacement_charts(motion)
-            if all(name_of(y.operand) in computed for y in [*rows][:3]) for y, row in rows.items()}
 
 
 def _along(x: FunctionRecording, a: Array, chart: Mapping[Number, Row],

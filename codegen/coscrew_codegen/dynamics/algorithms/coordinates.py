@@ -1,6 +1,6 @@
 """Motion of coordinates: q ⊕ phi by exponentials, and the rate of phi for given velocities."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
@@ -15,6 +15,7 @@ from coscrew_codegen.algebra.recording.numbers import (
 )
 from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.program.program import name_of
 from coscrew_codegen.scene.mechanism.tree import Link, Tree
 
 
@@ -123,21 +124,24 @@ def chart(motion: Motion, states: bool = False) -> list[list[Number | None]]:
                      for k in range(len(motion.x)))]
 
 
-def displacement_charts(motion: Motion) -> Iterator[dict[Number, list[Number | None]]]:
-    """Yields, for each row (r, t) of the displacement of each joint with a manifold, the rows of
-    its entries' derivatives by φ of q ⊕ φ at φ = 0: r × e and r·l for a screw (l; e), in fewer
-    operations than the chain through a quaternion takes."""
+def displacement_chart(motion: Motion) -> dict[Number, list[Number | None]]:
+    """Rows as of the chart, for entries of displacements D = [R | t] of joints with a manifold: of
+    a row (r, t) r × e and r·l for a screw (l; e), in fewer operations than the chain through a
+    quaternion takes.  Only for the rows that the recording has computed."""
+    computed = {"", *(step.name for step in motion.recorder.issued(0))}
+    rows: dict[Number, list[Number | None]] = {}
     for number, link in enumerate(motion.tree.links):
         if link.driver or not link.joint.kind.manifold:
             continue
         D, screws = motion.frame(number), motion.subspace(number)
         for r, t in ((D[k:k + 3], D[k + 3]) for k in (0, 4, 8)):
+            if not computed.issuperset(name_of(x.operand) for x in r):
+                continue
             by = [(*cross(r, angular(s)), dot(r, linear(s))) for s in screws]
-            rows: dict[Number, list[Number | None]] = {}
             for entry, own in zip((*r, t), zip(*by, strict=True), strict=True):
                 rows[entry] = [None] * (motion.tree.nv + len(motion.x))
                 rows[entry][link.v.start:link.v.stop] = [None if x.is_zero else x for x in own]
-            yield rows
+    return rows
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:
