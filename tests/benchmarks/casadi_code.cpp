@@ -41,7 +41,8 @@ static std::vector<SX> by_rows(std::vector<SX> matrices) {
 }
 
 // Writes casadi.c to a folder, whose name ends in a slash, for a robot as model_of takes it: its
-// dynamics, or their derivatives, by Pinocchio's recursions and (_ad) by automatic differentiation.
+// dynamics; or, with derivatives 1, their derivatives by Pinocchio's recursions and (_ad) by
+// automatic differentiation; or, with 2, those of inverse dynamics by the recursion alone.
 // Returns 0, or 1 if CasADi throws what it prints.
 extern "C" __attribute__((visibility("default"))) int write_c(const char *folder, int derivatives,
     long joints, const int *kinds, const int *parents, const double *placements,
@@ -50,8 +51,6 @@ extern "C" __attribute__((visibility("default"))) int write_c(const char *folder
   Data data(model);
   const SX q = SX::sym("q", model.nq), v = SX::sym("v", model.nv), a = SX::sym("a", model.nv);
   const Vector q_of = copied(q), v_of = copied(v), a_of = copied(a);
-  const SX tau = copied(pinocchio::rnea(model, data, q_of, v_of, a_of));
-  const SX ddq = copied(pinocchio::aba(model, data, q_of, v_of, a_of));
   const SX M = symmetric(copied(pinocchio::crba(model, data, q_of)));
   casadi::CodeGenerator made("casadi.c");
   const auto add = [&made](const char *name, const std::vector<SX> &given,
@@ -59,22 +58,29 @@ extern "C" __attribute__((visibility("default"))) int write_c(const char *folder
     made.add(casadi::Function(name, given, results));
   };
   add("mass_matrix", {q}, {M});
-  if (!derivatives) {
-    add("inverse_dynamics", {q, v, a}, {tau});
-    add("forward_dynamics", {q, v, a}, {ddq});
-  } else {
-    const auto jacobians = [&](const SX &x) {
-      return by_rows({SX::jacobian(x, q), SX::jacobian(x, v), SX::jacobian(x, a)});
-    };
-    Data inverse(model), forward(model);
+  if (derivatives) {
+    Data inverse(model);
     pinocchio::computeRNEADerivatives(model, inverse, q_of, v_of, a_of);
-    pinocchio::computeABADerivatives(model, forward, q_of, v_of, a_of);
     add("inverse_dynamics_derivatives", {q, v, a}, by_rows(
         {copied(inverse.dtau_dq), copied(inverse.dtau_dv), symmetric(copied(inverse.M))}));
-    add("forward_dynamics_derivatives", {q, v, a}, by_rows(
-        {copied(forward.ddq_dq), copied(forward.ddq_dv), symmetric(copied(forward.Minv))}));
-    add("inverse_dynamics_derivatives_ad", {q, v, a}, jacobians(tau));
-    add("forward_dynamics_derivatives_ad", {q, v, a}, jacobians(ddq));
+  }
+  if (derivatives != 2) {
+    const SX tau = copied(pinocchio::rnea(model, data, q_of, v_of, a_of));
+    const SX ddq = copied(pinocchio::aba(model, data, q_of, v_of, a_of));
+    if (!derivatives) {
+      add("inverse_dynamics", {q, v, a}, {tau});
+      add("forward_dynamics", {q, v, a}, {ddq});
+    } else {
+      const auto jacobians = [&](const SX &x) {
+        return by_rows({SX::jacobian(x, q), SX::jacobian(x, v), SX::jacobian(x, a)});
+      };
+      Data forward(model);
+      pinocchio::computeABADerivatives(model, forward, q_of, v_of, a_of);
+      add("forward_dynamics_derivatives", {q, v, a}, by_rows(
+          {copied(forward.ddq_dq), copied(forward.ddq_dv), symmetric(copied(forward.Minv))}));
+      add("inverse_dynamics_derivatives_ad", {q, v, a}, jacobians(tau));
+      add("forward_dynamics_derivatives_ad", {q, v, a}, jacobians(ddq));
+    }
   }
   made.generate(folder);
   return 0;

@@ -5,6 +5,7 @@ It is compiled as CasADi's users do, with contracted products.
 
 import ctypes
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import accumulate
@@ -18,6 +19,7 @@ from tests.benchmarks.pinocchio_loops import (
     DERIVATIVES,
     FUNCTIONS,
     OPTIMISED,
+    in_their_order,
     library,
     with_joints,
 )
@@ -27,6 +29,9 @@ SOURCE = Path(__file__).with_name("casadi_code.cpp")
 WAYS = ("", "_ad")
 """Suffixes of CasADi's functions: derivatives by Pinocchio's recursions, and of its dynamics by
 automatic differentiation."""
+ALL_DERIVATIVES = tuple((x, way) for x in DERIVATIVES for way in WAYS)
+OF_HUMANOIDS = ALL_DERIVATIVES[:1]
+"""Derivatives whose C compiles within minutes for 35 joints."""
 LOOP = """
 int {name}(const double **given, double **results, long long *iw, double *w, int memory);
 void loop_{name}(long n, void *const *x);
@@ -41,9 +46,9 @@ void loop_{name}(long n, void *const *x) {{
 """
 
 
-def written(robot: Robot, folder: Path, derivatives: bool = False) -> str:
-    """Write casadi.c and loops over its functions to a folder; returns the name of a missing
-    library, or ""."""
+def written(robot: Robot, folder: Path, derivatives: Sequence[tuple[str, str]] = ()) -> str:
+    """Write casadi.c and loops over its functions to a folder, dynamics or derivatives (function,
+    way); returns the name of a missing library, or ""."""
     result = find_spec("casadi")
     if not result or not result.origin:
         return "no CasADi: pip install casadi"
@@ -52,10 +57,10 @@ def written(robot: Robot, folder: Path, derivatives: bool = False) -> str:
         "-O0", f"-I{place / 'include'}", f"-L{place}", f"-Wl,-rpath,{place}", "-lcasadi"))
     if not writer:
         return missing
-    if with_joints(robot.model, writer.write_c, f"{folder}/".encode(), ctypes.c_int(derivatives)):
+    kind = (tuple(derivatives) == OF_HUMANOIDS) + bool(derivatives)
+    if with_joints(robot.model, writer.write_c, f"{folder}/".encode(), ctypes.c_int(kind)):
         return "CasADi fails"
-    names = [(x, x + way) for x in DERIVATIVES for way in WAYS] if derivatives else [
-        (x, x) for x in FUNCTIONS]
+    names = [(x, x + way) for x, way in derivatives or ((x, "") for x in FUNCTIONS)]
     (folder / "casadi_loops.c").write_text("".join(
         loop_text(robot, *x) for x in dict.fromkeys((*names, ("mass_matrix", "mass_matrix")))))
     return ""
@@ -76,7 +81,7 @@ def loop_text(robot: Robot, function: str, name: str) -> str:
 
 @dataclass(frozen=True, eq=False)
 class CasADi:
-    """A fixed robot's functions in C, at these states; derivatives in one of WAYS."""
+    """A robot's functions in C, at these states of ours; derivatives in one of WAYS."""
 
     library: ctypes.CDLL
     robot: Robot
@@ -96,8 +101,8 @@ class CasADi:
         """The loop of a function over all states."""
         if results is None:
             results = self._results(function)
-        given = self.states[:len(self.robot.functions.named(function).inputs)]
-        arrays = [*map(aligned, given), results]
+        given = in_their_order(self.robot, self.states)
+        arrays = [*given[:len(self.robot.functions.named(function).inputs)], results]
         way = self.way if function in DERIVATIVES else ""
         return Loop(getattr(self.library, f"loop_{function}{way}"), len(results), pointers(arrays))
 
@@ -105,7 +110,8 @@ class CasADi:
         """Its results."""
         loop = self.loop(function, results := self._results(function))
         loop.function(ctypes.c_long(len(results)), loop.arguments)
-        return results
+        follow = self.robot.follow
+        return follow.T @ results @ follow if results.ndim > 2 else results @ follow
 
     def _results(self, function: str) -> np.ndarray:
         outputs = self.robot.functions.named(function).program.outputs

@@ -18,7 +18,7 @@ from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.reports.timing.loop_timing import Loop, Timing, timed_loops
 from tests.benchmarks.bars import Bar, fastest, show
-from tests.benchmarks.casadi_loops import WAYS, CasADi, written
+from tests.benchmarks.casadi_loops import ALL_DERIVATIVES, OF_HUMANOIDS, CasADi, written
 from tests.benchmarks.pinocchio_loops import (
     DERIVATIVES,
     OPTIMISED,
@@ -50,22 +50,27 @@ class Subject:
     robot: Robot
     given: tuple[np.ndarray, ...]
     pinocchio: Pinocchio | None
-    casadi: dict[str, CasADi]
+    casadi: dict[tuple[str, str], CasADi]  # by function, and compiler and way
     missing: dict[str, str]  # a rival: the reason why it is missing
 
 
 def subject(name: str, folder: Path) -> Subject:
-    """A robot; a humanoid without CasADi, whose C takes minutes to compile."""
+    """A robot; a humanoid without CasADi's forward dynamics, which take clang eight minutes."""
     robot = robot_named(name, (*DERIVATIVES, "mass_matrix"))
     given, missing, casadi = robot.states(STATES), {}, {}
     built, missing["Pinocchio"] = library("clang++")
-    if name in LANES:
-        missing["CasADi"] = written(robot, folder, derivatives=True)
-        if not missing["CasADi"]:
-            for compiler in compilers():
-                one = CasADi.compiled(robot, given, folder, compiler)
-                casadi |= {f"{compiler}{way}": replace(one, way=way) for way in WAYS}
+    missing["CasADi"] = written(robot, folder, written_of(name))
+    if not missing["CasADi"]:
+        for compiler in compilers():
+            one = CasADi.compiled(robot, given, folder, compiler)
+            casadi |= {(function, f"{compiler}{way}"): replace(one, way=way)
+                       for function, way in written_of(name)}
     return Subject(robot, given, Pinocchio(built, robot, given) if built else None, casadi, missing)
+
+
+def written_of(name: str) -> tuple[tuple[str, str], ...]:
+    """CasADi's functions and ways for a robot."""
+    return ALL_DERIVATIVES if name in LANES else OF_HUMANOIDS
 
 
 def timed(x: Subject, function: str, ours: dict[str, tuple[str, Loops]]
@@ -73,16 +78,16 @@ def timed(x: Subject, function: str, ours: dict[str, tuple[str, Loops]]
     """Our times by name, of ("one" or "many", loops), Pinocchio's, and CasADi's best, after results
     have been compared."""
     loops: list[Loop] = []
+    rivals = [*([x.pinocchio] if x.pinocchio else []), *(
+        y for (of, _), y in x.casadi.items() if of == function)]
     for kind, own in ours.values():
         arrays = own.arguments(function, DOUBLE, x.given)
         loops.append(own.loop(kind, function, DOUBLE, arrays))
         loops[-1].function(ctypes.c_long(STATES), loops[-1].arguments)
-        for rival in (x.pinocchio, *x.casadi.values()):
-            if rival:
-                refuse_others(arrays[-3:], rival, function)
-    rivals = [r.loop(function) for r in (x.pinocchio, *x.casadi.values()) if r]
+        for rival in rivals:
+            refuse_others(arrays[-3:], rival, function)
     driver = next(iter(ours.values()))[1].library
-    timings = timed_loops(driver, [*loops, *rivals], 1e9 * SECONDS)
+    timings = timed_loops(driver, [*loops, *(r.loop(function) for r in rivals)], 1e9 * SECONDS)
     own, others = timings[:len(loops)], timings[len(loops):]
     pinocchio = others.pop(0) if x.pinocchio else None
     casadi = min(others, key=lambda t: t.minimum) if others else None
@@ -93,12 +98,13 @@ def single_calls(x: Subject, folder: Path) -> Iterator[tuple[list[str], list[tup
     """A line for each function and compiler, and its bars."""
     scene = x.robot.functions
     ours = {c: ("one", compiled(scene, DERIVATIVES, folder, c, "-march=native"))
-            for c in (compilers() if x.casadi else compilers()[-1:])}
+            for c in (compilers() if scene.name in LANES else compilers()[-1:])}
     for function in DERIVATIVES:
         times, pinocchio, casadi = timed(x, function, ours)
         for compiler, own in times.items():
-            rivals = {"Pinocchio": (pinocchio, WANTED[scene.name, function]),
-                      **({"CasADi": (casadi, CASADI)} if scene.name in LANES else {})}
+            rivals = {"Pinocchio": (pinocchio, WANTED[scene.name, function])}
+            if (function, "") in written_of(scene.name):
+                rivals["CasADi"] = casadi, CASADI
             bars = [(own.minimum, Bar(f"one call from C: {rival} / {function} of {scene.name}",
                                       wanted, time.ratio(own) if time else None,
                                       note=x.missing[rival] or compiler))

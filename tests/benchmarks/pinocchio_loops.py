@@ -92,6 +92,13 @@ def library(compiler: str, source: Path = SOURCE, flags: Sequence[str] = FLAGS
     return ctypes.CDLL(str(path)), ""
 
 
+def in_their_order(robot: Robot, states: tuple[np.ndarray, ...]) -> list[np.ndarray]:
+    """States q, v, a in Pinocchio's order."""
+    q, *others = states
+    return [aligned(np.array([robot.theirs(x) for x in q])),
+            *(aligned(x @ robot.follow.T) for x in others)]
+
+
 @dataclass(frozen=True, eq=False)
 class Pinocchio:
     """A robot in such a library, at these states of ours."""
@@ -123,11 +130,7 @@ class Pinocchio:
 
     @cached_property
     def _given(self) -> list[np.ndarray]:
-        """The states in Pinocchio's order."""
-        q, v, a = self.states
-        follow = self.robot.follow.T
-        return [aligned(np.array([self.robot.theirs(x) for x in q])),
-                *(aligned(x @ follow) for x in (v, a))]
+        return in_their_order(self.robot, self.states)
 
     @cached_property
     def _handle(self) -> int:

@@ -4,7 +4,7 @@ Directions of coordinates are velocities: the derivatives are those of q ⊕ φ.
 weights of results that are coordinates are velocities, too.  Those of effects' states, the end of
 q, stand behind them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from coscrew_codegen.algebra.recording import derivatives
 from coscrew_codegen.algebra.recording.numbers import Number
@@ -15,19 +15,26 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.scene_function import Array, Numbers, Results, SceneFunction
 
+Row = Sequence[Number | None]
+"""Derivatives by velocities; None is zero."""
+
 
 def tangent(x: FunctionRecording, function: SceneFunction, program: Program) -> Results:
     """The results and, for inputs d_, their derivatives."""
-    duals = []
-    for a in function.inputs_in(x.scene):
-        numbers = x.recorder.argument(a.name)
+    program, given = x.recorder.form(program), function.inputs_in(x.scene)
+    numbers = [x.recorder.argument(a.name) for a in given]
+    x.recorder.replay(program, *numbers)
+    duals, known = [], dict[Number, Dual[Number]]()
+    for a, n in zip(given, numbers, strict=True):
         direction: Numbers = x.recorder.argument(f"d_{a.name}")
         if a.is_coordinates:
             with x.recorder.part("rates", a.name):
-                direction = coordinates.rates(_at(x, numbers), direction)
-        duals.append([Dual(n, (d,)) for n, d in zip(numbers, direction, strict=True)])
+                known |= {y: Dual(y, (_combined(row, direction),))
+                          for y, row in coordinates.displacement_chart(_at(x, n)).items()}
+                direction = coordinates.rates(_at(x, n), direction)
+        duals.append([known.get(y, Dual(y, (d,))) for y, d in zip(n, direction, strict=True)])
     with x.recorder.part("tangent"):
-        result = derivatives.along(x.recorder.form(program), x.recorder, duals)
+        result = derivatives.along(program, x.recorder, duals, known)
     zero = x.recorder.number(0)
     values = _outputs(program, [y.value for y in result])
     slopes = _outputs(program, [zero if (s := y.slopes[0]) is None else s for y in result])
@@ -44,10 +51,15 @@ def adjoint(x: FunctionRecording, function: SceneFunction, program: Program) -> 
     weights = [w for name, a, y in zip(names, function.outputs, _outputs(
         program, x.recorder.replay(program, *numbers)), strict=True)
         for w in _weights(x, a, y, x.recorder.argument(name))]
+    charts = {a.name: _chart(x, n) for a, n in zip(given, numbers, strict=True)
+              if a.is_coordinates}
+    independent = [y for chart in charts.values() for y in chart]
     with x.recorder.part("adjoint"):
-        values, slopes = derivatives.weighted(program, x.recorder, numbers, weights)
+        values, slopes = derivatives.weighted(program, x.recorder, numbers, weights, independent)
+    own = dict(zip(independent, slopes.pop() if independent else (), strict=True))
     return [*_outputs(program, values), *(
-        _along(x, a, n, slope) for a, n, slope in zip(given, numbers, slopes, strict=True))]
+        _along(x, a, charts[a.name], own) if a.is_coordinates else slope
+        for a, slope in zip(given, slopes, strict=True))]
 
 
 def _outputs(program: Program, numbers: Sequence[Number]) -> list[Numbers]:
@@ -79,22 +91,30 @@ def _weights(x: FunctionRecording, a: Array, y: Numbers, weight: Numbers) -> Num
     columns = [coordinates.velocities(x.recorder, x.tree, x.names, y, x.recorder.numbers(
         [int(i == k) for i in range(count)])) for k in range(count)]
     with x.recorder.part("weights", a.name):
-        return [_product(weight, column) for column in columns]
+        return [_combined(column, weight) for column in columns]
 
 
-def _along(x: FunctionRecording, a: Array, numbers: Numbers, slopes: Numbers) -> Numbers:
-    """Derivatives by an input's components; of coordinates, along velocities."""
-    if not a.is_coordinates:
-        return slopes
-    zero = x.recorder.number(0)
+def _chart(x: FunctionRecording, q: Numbers) -> dict[Number, Row]:
+    """The rows by velocities of coordinates and of the displacements that follow from them."""
+    with x.recorder.part("chart"):
+        motion = _at(x, q)
+        displacements = coordinates.displacement_chart(motion)
+        rows = coordinates.chart(motion, states=True)
+        return {**dict(zip(q, rows, strict=True)), **displacements}
+
+
+def _along(x: FunctionRecording, a: Array, chart: Mapping[Number, Row],
+           slopes: Mapping[Number, Number]) -> Numbers:
+    """Derivatives along velocities of a function of coordinates."""
     with x.recorder.part("chart", a.name):
-        rows = coordinates.chart(_at(x, numbers), states=True)
-        return [_product(slopes, [zero if y is None else y for y in column])
-                for column in zip(*rows, strict=True)]
+        weights = [slopes[y] for y in chart]
+        return [_combined(column, weights) for column in zip(*chart.values(), strict=True)]
 
 
-def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
-    total = a[0].like(0)
-    for x, y in zip(a, b, strict=True):
-        total = total + x * y
+def _combined(row: Row, numbers: Numbers) -> Number:
+    """Σ row · numbers, where None is zero."""
+    total = numbers[0].like(0)
+    for x, y in zip(row, numbers, strict=True):
+        if x is not None:
+            total = total + x * y
     return total

@@ -12,7 +12,7 @@ from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from coscrew_codegen.program.interpreter import Arithmetic, interpreter
 from coscrew_codegen.program.ops import DerivativeFunctions, Op, Slopes
-from coscrew_codegen.program.program import Constant, Instruction, Operand, Program, name_of
+from coscrew_codegen.program.program import Constant, Instruction, Operand, Program, Ref, name_of
 
 V = TypeVar("V")
 X = TypeVar("X", bound="Dual[Any] | _Node[Any]")
@@ -45,8 +45,10 @@ class Dual(Generic[V]):
 
 def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFunctions,
             inputs: Sequence[Sequence[Dual[V]]], partials_of: Partials = of_table,
-            product: Product = times) -> list[Dual[V]]:
-    """The results with their derivatives along the directions that the inputs carry."""
+            product: Product = times,
+            known: Mapping[V, Dual[V]] | None = None) -> list[Dual[V]]:
+    """The results with their derivatives along the directions that the inputs carry.  Those of
+    intermediate values may be `known`."""
     count = len(next(x for given in inputs for x in given).slopes)
     chain = _ChainRule[Dual[V]](program, functions, partials_of)
 
@@ -59,6 +61,8 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
         def apply(*operands: Dual[V]) -> Dual[V]:
             y = compute(*(x.value for x in operands))
             chain.keep(step, operands)
+            if known and y in known:
+                return known[y]
             if step.op is Op.SELECT:
                 test, a, b = operands
                 return Dual(y, tuple(_chosen(functions, test.value, *pair)
@@ -95,45 +99,75 @@ def _along(step: Instruction, partials: Sequence[Any], slopes: Sequence[V | None
     return None if total is None else cast(V, total)
 
 
-class _Turned(NamedTuple):
-    """A term ±sin θ x or ±cos θ x of a sum."""
+_DERIVATIVE = {Op.SIN: Op.COS, Op.COS: Op.SIN}
+"""The function in the derivative of a sine and of a cosine."""
+
+
+class _Term(NamedTuple):
+    """±x sin θ or ±x cos θ."""
 
     negative: bool
     circular: Instruction  # the sine or the cosine
     product: Instruction
     place: int  # of x in the product
 
+    @property
+    def falls(self) -> bool:
+        """True if its derivative by θ is minus a product."""
+        return self.negative != (self.circular.op is Op.COS)
 
-def _turned(program: Program) -> Mapping[str, tuple[_Turned, _Turned]]:
-    """The sums of two terms with a sine or a cosine of one angle, by their names."""
+
+class _Turned(NamedTuple):
+    """A term, or a sum of two with one angle: a component of a turned vector.  The program computes
+    the other component, `opposite` to the derivative by the angle, or one of its products."""
+
+    terms: tuple[_Term, ...]
+    opposite: bool = False
+
+
+def _turned(program: Program) -> Mapping[str, _Turned]:
+    """The components of turned vectors, by the names of instructions."""
     steps = {step.name: step for step in program.instructions}
+    circular = {(step.op, step.operands): Ref(step.name) for step in program.instructions
+                if step.op in _DERIVATIVE}
+    products = {frozenset(step.operands): Ref(step.name) for step in program.instructions
+                if step.op is Op.MUL}
+    differences = {step.operands for step in program.instructions if step.op is Op.SUB}
 
-    def terms(x: Operand, negative: bool) -> list[_Turned]:
+    def terms(x: Operand, negative: bool) -> list[_Term]:
         product = steps.get(name_of(x))
         if product is None or product.op is not Op.MUL:
             return []
         factors = [steps.get(name_of(factor)) for factor in product.operands]
-        return [_Turned(negative, factor, product, 1 - place) for place, factor
-                in enumerate(factors) if factor and factor.op in (Op.SIN, Op.COS)]
+        return [_Term(negative, factor, product, 1 - place) for place, factor
+                in enumerate(factors) if factor and factor.op in _DERIVATIVE]
 
-    result = {}
-    for step in program.instructions:
-        if step.op in (Op.ADD, Op.SUB):
-            first, second = (terms(x, k == 1 and step.op is Op.SUB)
-                             for k, x in enumerate(step.operands))
-            for pair in itertools.product(first, second):
-                if pair[0].circular.operands == pair[1].circular.operands:
-                    result[step.name] = pair
-                    break
-    return result
+    def other(term: _Term) -> Operand | None:
+        """The product in the other component."""
+        factor = circular.get((_DERIVATIVE[term.circular.op], term.circular.operands))
+        return factor and products.get(frozenset({factor, term.product.operands[term.place]}))
+
+    def turned(step: Instruction) -> _Turned | None:
+        if step.op is Op.MUL:
+            return next((_Turned((x,)) for x in terms(Ref(step.name), False) if other(x)), None)
+        if step.op not in (Op.ADD, Op.SUB):
+            return None
+        for pair in itertools.product(*(terms(x, k == 1 and step.op is Op.SUB)
+                                        for k, x in enumerate(step.operands))):
+            if pair[0].circular.operands == pair[1].circular.operands and any(map(other, pair)):
+                a, b = sorted(pair, key=lambda x: not x.falls)
+                return _Turned(pair, a.falls > b.falls and (other(a), other(b)) in differences)
+        return None
+
+    return {step.name: x for step in program.instructions if (x := turned(step))}
 
 
 class _ChainRule(Generic[X]):
     """The variables of each step, and its partial derivatives with respect to them.
 
-    Variables are the step's operands; but those of a sum ±sin θ x ± cos θ y are θ, x and y.  The
-    derivative by θ is the other component of the turned vector, up to its sign, which is mostly
-    computed anyway: each sum takes 5 operations along a direction instead of 7."""
+    Variables are the step's operands; but those of a sum ±x sin θ ± y cos θ are θ, x and y.  The
+    derivative by θ is the other component of the turned vector, up to its sign.  Where that is
+    computed anyway, each sum takes 5 operations along a direction instead of 7."""
 
     def __init__(self, program: Program, functions: DerivativeFunctions, partials_of: Partials):
         self._functions, self._partials_of = functions, partials_of
@@ -153,11 +187,11 @@ class _ChainRule(Generic[X]):
             return (), ()
         return derived(self._functions, *(x.value for x in operands), result), operands
 
-    def _of_turned(self, terms: tuple[_Turned, _Turned]) -> tuple[Sequence[Any], Sequence[X]]:
+    def _of_turned(self, turned: _Turned) -> tuple[Sequence[Any], Sequence[X]]:
         of_angle: list[Any] = []
         others: list[Any] = []
         variables: list[X] = []
-        for term in terms:
+        for term in turned.terms:
             factors = self._operands[term.product.name]
             x, circular = factors[term.place], factors[1 - term.place].value
             (angle,), derived = (self._operands[term.circular.name],
@@ -167,7 +201,10 @@ class _ChainRule(Generic[X]):
             of_angle.append(-(slope * x.value) if term.negative else slope * x.value)
             others.append(-circular if term.negative else circular)
             variables.append(x)
-        return (of_angle[0] + of_angle[1], *others), (angle, *variables)
+        by_angle = of_angle[0]
+        for y in of_angle[1:]:
+            by_angle = -(-by_angle - y) if turned.opposite else by_angle + y
+        return (by_angle, *others), (angle, *variables)
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,19 +217,24 @@ class _Node(Generic[V]):
 
 def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFunctions,
             inputs: Sequence[Sequence[V]], weights: Sequence[V], partials_of: Partials = of_table,
-            product: Product = times) -> tuple[list[V], list[list[V | None]]]:
+            product: Product = times, independent: Sequence[V] = ()
+            ) -> tuple[list[V], list[list[V | None]]]:
     """(results, derivatives of Σ weight · result by the components of each input); None is zero.
-    One pass forward and one back, for any number of inputs. """
+    One pass forward and one back, for any number of inputs.  Intermediate values that are
+    `independent` count as a further input: those by the inputs do not pass through them. """
     made: list[tuple[Instruction, _Node[V]]] = []
     chain = _ChainRule[_Node[V]](program, functions, partials_of)
+    leaves = {x: _Node(x) for x in independent}
 
     def function(step: Instruction, number: int) -> Callable[..., _Node[V]]:
         compute = arithmetic.function(step, number)
 
         def apply(*operands: _Node[V]) -> _Node[V]:
             node = _Node(compute(*(x.value for x in operands)), operands)
-            made.append((step, node))
             chain.keep(step, operands)
+            if leaves and node.value in leaves:
+                return leaves[node.value]
+            made.append((step, node))
             return node
 
         return apply
@@ -200,7 +242,8 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
     nan = arithmetic.not_a_number
     tape = Arithmetic(lambda x: _Node(arithmetic.constant(x)), function,
                       None if nan is None else _Node(nan), lambda x: _Node(arithmetic.column(x)))
-    given = [[_Node(x) for x in components] for components in inputs]
+    given = [[leaves.get(x) or _Node(x) for x in row] if leaves else [*map(_Node, row)]
+             for row in inputs]
     results = interpreter(program, tape)(given)
     adjoints: dict[_Node[V], V] = {}
     for node, weight in zip(results, weights, strict=True):
@@ -208,7 +251,8 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
     for step, node in reversed(made):
         if node in adjoints:
             _propagate(functions, adjoints, step, node, chain, product)
-    return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
+    rows = [*given, [leaves[x] for x in independent]] if leaves else given
+    return [x.value for x in results], [[adjoints.get(x) for x in row] for row in rows]
 
 
 def _propagate(functions: DerivativeFunctions, adjoints: dict[_Node[V], V], step: Instruction,

@@ -4,7 +4,7 @@ They are numbers wherever the function has a derivative.  At a root of zero, and
 (0, 0), where the derivative is infinite or does not exist, it is zero: zero is a subgradient of a
 length, and an option that a choice does not take contributes nothing, even if infinite."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from coscrew_codegen.algebra.recording import numbers
@@ -55,12 +55,12 @@ def jacobian(program: Program) -> Program:
     return recorder.program(f"{program.name}_jacobian", outputs)
 
 
-def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]]
-          ) -> list[Dual[Number]]:
+def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]],
+          known: Mapping[Number, Dual[Number]] | None = None) -> list[Dual[Number]]:
     """The results on numbers of a recording, with their derivatives along the directions that these
-    carry."""
+    carry.  Those of intermediate values may be `known`."""
     return differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
-                                 _of_root_of_zero)
+                                 _of_root_of_zero, known)
 
 
 def adjoint(program: Program) -> Program:
@@ -78,12 +78,13 @@ def adjoint(program: Program) -> Program:
 
 
 def weighted(program: Program, recorder: Recorder, given: Sequence[Sequence[Number]],
-             weights: Sequence[Number]) -> tuple[list[Number], list[list[Number]]]:
+             weights: Sequence[Number], independent: Sequence[Number] = ()
+             ) -> tuple[list[Number], list[list[Number]]]:
     """The results on numbers of a recording, and the derivatives of their sum with these weights by
-    the components of each input."""
+    the components of each input; then by intermediate values that are `independent`."""
     choices = Choices(program, recorder)
     values, slopes = differentiate.adjoint(program, choices.arithmetic, numbers, given, weights,
-                                           _partials, choices.product)
+                                           _partials, choices.product, independent)
     return values, [[recorder.number(0) if x is None else x for x in row] for row in slopes]
 
 

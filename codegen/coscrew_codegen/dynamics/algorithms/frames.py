@@ -88,22 +88,17 @@ def twist_rate(x: FunctionRecording, motion: Motion, body: str, frame: Frame,
     """J a + J' v of `jacobian`: the rate of the components of (v; ω).
 
     In the world's axes, at a point of the body: v' is the acceleration a of the point.  In the
-    body's axes, which turn, v' = a - ω × v.  At the world's origin, which one point of the
-    body after another passes, v' = a - ω' × r - ω × v, with the position r of the point."""
+    body's axes, which turn, and at the world's origin, which one point of the body after another
+    passes, the screw's rate is (a - ω × v; ω') of the link's origin, moved as a screw is."""
     number, D = _link_and_pose(x, body, point)
-    if frame is Frame.WORLD:
-        D = displacement(rotation(D), motion.zero)
-    rate, R = _acceleration(motion, number, translation(D)), rotation(motion.pose(number))
     if frame is Frame.ALIGNED:
-        return _turned(rotated, R, rate)
-    w = motion.angular_velocity(number)
-    v = add(motion.velocity(number), cross(w, translation(D)))
-    rate = (*subtract(linear(rate), cross(w, v)), *angular(rate))
+        return _turned(rotated, rotation(motion.pose(number)),
+                       _acceleration(motion, number, translation(D)))
+    turning = cross(motion.angular_velocity(number), motion.velocity(number))
+    rate = (*subtract(motion.acceleration(number), turning), *motion.angular_acceleration(number))
     if frame is Frame.BODY:
-        return _turned(rotated_back, rotation(D), rate)
-    turned = _turned(rotated, R, rate)
-    r = translation(motion.pose(number))
-    return (*add(linear(turned), cross(r, angular(turned))), *angular(turned))
+        return x.recorder.call("product_Adinvs", D, rate)
+    return x.recorder.call("product_Ads", motion.pose(number), rate)
 
 
 def _acceleration(motion: Motion, number: int, point: Vector) -> tuple[Number, ...]:

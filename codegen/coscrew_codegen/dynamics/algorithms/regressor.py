@@ -8,7 +8,7 @@ a freedom at or before the link, at its origin in its frame, the freedom's torqu
 linear in mass m, first moment h = m c and moments of inertia I about the origin, not in c.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
@@ -19,7 +19,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     linear,
     rotated_back,
 )
-from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion, Twist
+from coscrew_codegen.dynamics.algorithms.motion import Motion, Twist
 from coscrew_codegen.dynamics.algorithms.rnea import gather
 
 NAMES = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
@@ -27,26 +27,35 @@ NAMES = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
 UNITS = ("kg", *["kg m"] * 3, *["kg m^2"] * 6)
 
 
+_Screws = Mapping[int, Sequence[Twist]]
+"""The screws of the freedoms at a link and before it, in its frame, by link."""
+
+
 def columns(motion: Motion) -> list[Sequence[Number]]:
     """The torques for a unit of each number of each link, the others zero."""
-    return [column for number in range(len(motion.tree.links)) for column in _of(motion, number)]
+    screws: list[_Screws] = []
+    for number, link in enumerate(motion.tree.links):
+        before = screws[link.parent] if link.parent >= 0 else {}
+        screws.append({number: motion.subspace(number), **_moved(motion, number, before)})
+    return [column for number, own in enumerate(screws) for column in _of(motion, number, own)]
 
 
-def _of(motion: Motion, number: int) -> list[list[Number]]:
+def _moved(motion: Motion, number: int, screws: _Screws) -> _Screws:
+    """Screws of the link before, in the link's frame."""
+    D, call = motion.frame(number), motion.recorder.call
+    with motion.part(number, "n"):
+        return {at: [call("product_Adinvs", D, s) for s in own] for at, own in screws.items()}
+
+
+def _of(motion: Motion, number: int, screws: _Screws) -> list[list[Number]]:
     """The columns of a link."""
-    call, links, zero = motion.recorder.call, motion.tree.links, motion.zero[0]
     moments = [_moment(motion, number, k) for k in range(6)]
-    results = [[zero] * motion.tree.nv for _ in NAMES]
-    at, D = number, None
-    while at >= 0:
+    results = [[motion.zero[0]] * motion.tree.nv for _ in NAMES]
+    for at, own in screws.items():
         with motion.part(number, "Y"):
-            rows = [_row(motion, number, moments, s if D is None else call(
-                "product_Adinvs", D, s)) for s in motion.subspace(at)]
+            rows = [_row(motion, number, moments, s) for s in own]
             for column, parts in zip(results, zip(*rows, strict=True), strict=True):
                 gather(motion, at, parts, column)
-            frame: Displacement = motion.frame(at)
-            D = frame if D is None else call("product_dd", frame, D)
-        at = links[at].parent
     return results
 
 

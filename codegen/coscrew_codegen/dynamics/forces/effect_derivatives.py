@@ -52,7 +52,14 @@ def differentiated(x: FunctionRecording, torques: Torques, by: Sequence[str],
     duals = [_dual(x, given.get(a.name) or x.recorder.argument(a.name), a.name,
                    ends[by.index(a.name)] if a.name in by else None, ends[-1])
              for a in program.inputs]
-    slopes = derivatives.along(program, x.recorder, duals)
+    known = {}
+    if "q" in by:
+        x.recorder.replay(program, *([y.value for y in row] for row in duals))
+        first, motion = ends[by.index("q")], x.motion(moving=False, accelerating=False)
+        known = {y: _spread(y, row[:x.tree.nv], first, ends[-1])
+                 for y, row in coordinates.displacement_chart(motion).items()}
+        duals = [[known.get(y.value, y) for y in row] for row in duals]
+    slopes = derivatives.along(program, x.recorder, duals, known)
     return [[[zero if s is None else s for s in y.slopes[first:last]] for y in slopes]
             for first, last in pairwise(ends)]
 
@@ -79,5 +86,9 @@ def _dual(x: FunctionRecording, numbers: Sequence[Number], name: str, first: int
     one, size = x.recorder.number(1), len(numbers)
     rows = coordinates.chart(x.motion(moving=False, accelerating=False)) if name == "q" else [
         [one if i == j else None for j in range(size)] for i in range(size)]
-    return [Dual(n, (*[None] * first, *row, *[None] * (count - first - len(row))))
-            for n, row in zip(numbers, rows, strict=True)]
+    return [_spread(n, row, first, count) for n, row in zip(numbers, rows, strict=True)]
+
+
+def _spread(n: Number, row: Sequence[Number | None], first: int, count: int) -> Dual[Number]:
+    """A number with its row of derivatives, which begins at `first` of all directions."""
+    return Dual(n, (*[None] * first, *row, *[None] * (count - first - len(row))))
