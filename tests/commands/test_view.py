@@ -127,7 +127,7 @@ def test_awkward_names_are_text(each):
 
 
 def test_nothing_is_loaded_and_nothing_fails(each):
-    """Also of what the tests above did."""
+    """The messages include those of the tests above."""
     resize(each, *SMALL)
     each.find_element(By.ID, "play").click()
     for tool in each.find_elements(By.CSS_SELECTOR, "#tools button, #groups button"):

@@ -13,9 +13,9 @@ _LIGHT = """
     WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
       return shaderSource.call(this, shader, text.replace("GGX_SAMPLES 256u", "GGX_SAMPLES 8u"));
     };"""
-"""Integrates reflections of the surroundings with fewer samples: by software, those of smooth
-surfaces, of which pages have none, take half of the time in which a page is opened.  Pictures
-differ in no channel by more than 1 of 255."""
+"""Fewer samples for reflections in smooth surfaces.  Pages have no such surfaces, but by software
+these samples take half of the time in which a page is opened.  Pictures differ in no channel by
+more than 1 of 255."""
 
 
 def _command(*names: str) -> str:
