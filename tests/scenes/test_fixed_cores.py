@@ -76,7 +76,7 @@ def measured() -> Kernels:
 
 @pytest.fixture(scope="module")
 def costs(measured: Kernels) -> tuple[CoreCost, ...]:
-    """What `coscrew cost` shows of them in each format."""
+    """The costs of these functions in each format."""
     return cost_measurement.measure(measured, RunOverrides(), REQUEST).cores
 
 
