@@ -290,6 +290,12 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     assert list(folder.rglob("*.*")) == []
 
 
+def test_a_folder_that_cannot_be_is_empty(path: Path, monkeypatch, capsys):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(path))  # a file
+    assert main(["cache"]) == 0
+    assert "entries  0\n" in capsys.readouterr().out
+
+
 def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsys,
                                                  monkeypatch: pytest.MonkeyPatch):
     def refused(path: Path) -> None:

@@ -227,7 +227,7 @@ def _paths(place: Path) -> Iterator[Path]:
 
 
 def _names(place: Path) -> list[str]:
-    with suppress(FileNotFoundError):
+    with suppress(FileNotFoundError, NotADirectoryError):
         return os.listdir(place)
     return []
 
