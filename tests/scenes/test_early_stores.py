@@ -47,12 +47,12 @@ def test_stores_stand_among_declarations_and_behind_all_arguments(functions, nam
 
 
 def test_parts_store_results(functions, monkeypatch: pytest.MonkeyPatch):
-    """The function that calls them stores constants alone, and gives them copies of arguments."""
+    """Constants, too, beside values of the same row; the function that calls them gives them copies
+    of arguments."""
     monkeypatch.setattr(scene_c_parts, "LONG", 1000)
     monkeypatch.setattr(scene_c_parts, "LONGEST", 60)
     lines = lines_of(functions, "inverse_dynamics_derivatives")
-    stores = [line for line in lines if re.match(r"  (dtau_d[qv]|M)\[", line)]
-    assert stores and all(re.search(r"= \d+\.\d+;$", line) for line in stores), stores
+    assert not [line for line in lines if re.match(r" +(dtau_d[qv]|M)\[", line)]
     calls = [line for line in lines if re.match(r"  snake_part_", line)]
     assert len(calls) > 10 and not any(re.search(r"[(,] ?[qva][,)]", line) for line in calls)
 

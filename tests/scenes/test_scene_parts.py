@@ -138,6 +138,22 @@ def test_a_group_that_only_keeps_dissolves():
     assert [(g.name, g.kept) for g in _groups(cuts)] == [("a", ("y",)), ("b", ("y",))]
 
 
+def test_programs_share_nothing_with_much_longer_ones():
+    links = [(Kind.REVOLUTE, (Y, Z)[n % 2], at(0, 0, 1), inertia(1, (0, 1, 2), (3, 4, 5, 0, 0, 0)))
+             for n in range(4)]
+    functions = derive(scene(chain(*links)), (
+        "inverse_dynamics", "mass_matrix", "inverse_dynamics_derivatives",
+        "forward_dynamics_derivatives"))
+    length = {f.name: len(f.program.instructions) for f in functions.functions}
+    groups = _groups(cut([f.program for f in functions.functions], 50))
+    for group in groups:
+        shortest, *_, longest = sorted(length[x] for x in group.users * 2)
+        assert longest <= program_parts.LONGER * shortest, group.users
+    assert len({group.name for group in groups}) == len(groups)
+    assert any(len(group.users) > 1 for group in groups)
+    assert length["inverse_dynamics_derivatives"] > program_parts.LONGER * length["mass_matrix"]
+
+
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """The expected output of the program."""

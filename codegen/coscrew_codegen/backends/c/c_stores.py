@@ -222,12 +222,14 @@ class Stores:
 def in_rows(stores: Sequence[tuple[str, str]], rows: Mapping[str, int], width: int
             ) -> Iterator[str]:
     """The assignments of these texts to these targets: a row of a matrix is a line, or several."""
-    def row(store: tuple[str, str]) -> tuple[str, int]:
-        match = _ELEMENT.fullmatch(store[0])
-        return (match[1], int(match[2]) // rows.get(match[1], 1)) if match else (store[0], 0)
-
-    for _, group in groupby(stores, row):
+    for _, group in groupby(stores, lambda store: row_of(store[0], rows)):
         yield from in_lines(list(group), width)
+
+
+def row_of(target: str, rows: Mapping[str, int]) -> tuple[str, int]:
+    """The output that a target belongs to, and its row, by the length of each output's rows."""
+    match = _ELEMENT.fullmatch(target)
+    return (match[1], int(match[2]) // rows.get(match[1], 1)) if match else (target, 0)
 
 
 def in_lines(stores: Sequence[tuple[str, str]], width: int) -> Iterator[str]:

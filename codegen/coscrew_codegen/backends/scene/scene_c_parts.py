@@ -9,12 +9,13 @@ results, its parts store them, and read copies of its arguments, since outputs m
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
+from textwrap import dedent
 
 from coscrew_codegen.algebra.recording.recorder import headings
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
 from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.backends.c.c_stores import Layout, in_lines
+from coscrew_codegen.backends.c.c_stores import Layout, in_lines, row_of
 from coscrew_codegen.backends.c.c_together import together
 from coscrew_codegen.backends.c_early_stores import has_many_results
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
@@ -29,7 +30,7 @@ from coscrew_codegen.backends.scene.scene_text import (
     rows,
     size,
 )
-from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.splitting.columns import has_columns
 from coscrew_codegen.program.splitting.parts import Cut, Group, cut
@@ -41,6 +42,7 @@ LONG = 4000
 shorter, and would be slower in parts."""
 LONGEST = 600
 """Largest number of instructions of a part: those of a few links."""
+_NO_INPUTS = Program("constants", (), (), (), ())
 _OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
 
 
@@ -90,6 +92,7 @@ class FunctionParts:
         self._read_of = self._values_read()
         self._stored = {f.name: stored for f in scene.functions if f.name in self.cuts
                         and (stored := self._stored_by_parts(f))}
+        self._beside = {name: self._constants_beside(scene.named(name)) for name in self._stored}
 
     def _loops_of(self, group: Group) -> list[ColumnLoop]:
         return [x for x in self._loops.values() if x.group is group]
@@ -121,17 +124,27 @@ class FunctionParts:
                       for line in loop.cleared)]
         calls = [self._call(group, part, precision, copies)
                  for group in cut.groups for part in group.parts]
-        stored = {target for targets in self._stores(cut.groups[-1], precision).values()
-                  for target in targets}
-        rest = [x for x in zip(arguments.targets(outputs(function)), cut.last.results, strict=True)
-                if x[0] not in stored]
-        last = replace(cut.last, results=tuple(x for _, x in rest))
-        results = FunctionBody(last, precision, Stored(
-            self._returned(last, precision, copies), [target for target, _ in rest],
+        own = cut.groups[-1]
+        stored = {x for targets in (*self._stores(own, precision).values(),
+                                    *self._constants(own, precision).values()) for x in targets}
+        rest = self._results(function, cut.last, precision, {
+            target: x for target, x in self._targets(function) if target not in stored})
+        return f"{_indented((*declared, *calls))}\n{rest}"
+
+    def _results(self, function: FunctionProgram, last: Program, precision: Precision,
+                 results: Mapping[str, Operand]) -> str:
+        """The stores of these results, by their targets."""
+        last = replace(last, results=tuple(results.values()))
+        return FunctionBody(last, precision, Stored(
+            self._returned(last, precision, self._copies(function, precision)), [*results],
             [a.name for a in outputs(function)]),
             layout=None if precision.device else Layout(
                 rows(outputs(function)), function.internal)).text()
-        return f"{_indented((*declared, *calls))}\n{results}"
+
+    def _targets(self, function: FunctionProgram) -> Iterator[tuple[str, Operand]]:
+        """The targets of a function's results, and the results."""
+        return zip(arguments.targets(outputs(function)), self.cuts[function.name].last.results,
+                   strict=True)
 
     def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:
         *others, last = group.users
@@ -162,6 +175,7 @@ class FunctionParts:
         """Declarations; kept values are stored as soon as they are computed, since values that are
         stored at the end occupy registers until then."""
         kept, stores = _computed(part), self._stores(group, precision)
+        beside = self._constants(group, precision)
         if part.name in self._loops:
             yield from self._loops[part.name].lines(
                 self._working(precision), self._read(part, precision), lambda name, text: (
@@ -182,6 +196,9 @@ class FunctionParts:
                         if x in kept and not self._only_stored(group, x, precision))
             yield from in_lines([(target, self._narrowed(precision) + x) for x in names
                                  for target in stores.get(x, ())], WIDTH - 2)
+            if constants := {k: v for x in names for k, v in beside.get(x, {}).items()}:
+                function = self.scene.named(group.users[0])
+                yield dedent(self._results(function, _NO_INPUTS, precision, constants))
 
     def _planned(self, part: Program, named: frozenset[str]) -> NestingPlan:
         """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
@@ -223,10 +240,30 @@ class FunctionParts:
         own, stored = cut.groups[-1], dict[str, list[str]]()
         if own.users != (function.name,) or not has_many_results(function.program):
             return {}
-        for target, x in zip(arguments.targets(outputs(function)), cut.last.results, strict=True):
+        for target, x in self._targets(function):
             if isinstance(x, Input) and cut.last.inputs[x.argument].name == own.name:
                 stored.setdefault(own.kept[x.index], []).append(target)
         return stored if any(self._shared(own, x) for x in own.kept) else {}
+
+    def _constants_beside(self, function: FunctionProgram) -> dict[str, dict[str, Operand]]:
+        """Results that are constants, by their targets, by the first value that a part stores in the
+        same row.  Behind all parts, zeros of sparse matrices come faster than caches take them."""
+        of_row: dict[tuple[str, int], dict[str, Operand]] = {}
+        beside: dict[str, dict[str, Operand]] = {}
+        length = rows(outputs(function))
+        for target, x in self._targets(function):
+            if isinstance(x, Constant):
+                of_row.setdefault(row_of(target, length), {})[target] = x
+        for part in self.cuts[function.name].groups[-1].parts:
+            for value in _computed(part) if part.name not in self._loops else ():
+                for target in self._stored[function.name].get(value, ()):
+                    if constants := of_row.pop(row_of(target, length), {}):
+                        beside.setdefault(value, {}).update(constants)
+        return beside
+
+    def _constants(self, group: Group, precision: Precision) -> Mapping[str, Mapping[str, Operand]]:
+        """The constants that the group's parts store, by targets, by the values beside them."""
+        return self._beside[group.users[0]] if self._stores(group, precision) else {}
 
     def _shared(self, group: Group, value: str) -> bool:
         """Returns whether a part reads the value from the group's structure."""
@@ -297,9 +334,9 @@ class FunctionParts:
         return operand_text
 
 
-def _computed(part: Program) -> set[str]:
-    """The values that a part gives."""
-    return {x.name for x in part.results if isinstance(x, Ref)}
+def _computed(part: Program) -> tuple[str, ...]:
+    """The values that a part gives, in order."""
+    return tuple(dict.fromkeys(x.name for x in part.results if isinstance(x, Ref)))
 
 
 def _indented(lines: Iterable[str]) -> str:
