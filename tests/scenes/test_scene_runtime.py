@@ -153,7 +153,7 @@ def test_the_fingerprint_is_that_of_the_code(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_a_reader_meets_the_first_function_soon():
-    """Where functions are cut into parts.  tests/scenes/test_examples.py has the examples."""
+    """Its place where functions are cut into parts; test_examples.py looks into the examples."""
     for name, text in scene_c.files(robot(35, 9000), BANNER).items():
         if name.endswith(".c"):
             assert first_function(text) <= LATEST, name
