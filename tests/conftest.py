@@ -10,6 +10,7 @@ import shutil
 import sys
 import warnings
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -86,12 +87,26 @@ def _compile_fast() -> None:
         os.environ["CC"] = f"{name} -O0"
 
 
-@pytest.fixture(scope="module")
-def users_compiler() -> Iterator[None]:
-    """Scenes are compiled as users' are: tests of compiled code use it."""
+@contextmanager
+def _optimized() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         if os.environ.get("CC", "").endswith(" -O0"):
             patch.delenv("CC")
+        yield
+
+
+@pytest.fixture(scope="module")
+def users_compiler() -> Iterator[None]:
+    """Scenes are compiled as users' are: tests of compiled code use it."""
+    with _optimized():
+        yield
+
+
+@pytest.fixture
+def long_run() -> Iterator[None]:
+    """Scenes of one test are compiled as users' are: millions of steps take a third of the time.
+    """
+    with _optimized():
         yield
 
 

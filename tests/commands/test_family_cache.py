@@ -127,7 +127,7 @@ def test_other_commands_keep_their_own(site):
 @pytest.mark.parametrize("damages", (("truncated", "emptied", "changed"),
                                      ("no pickle", "another's", "a folder")))
 def test_damaged_entries_are_made_again(site, damages):
-    entries = sorted((site / "cache/coscrew").glob("*.family"))
+    entries = sorted((site / "cache/coscrew").rglob("*.family"))
     assert len(entries) > len(damages)
     for path, damage in zip(entries, cycle(damages), strict=False):
         content = path.read_bytes()

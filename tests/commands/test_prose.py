@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 GLOSSARY = ROOT / "docs/glossary.md"
 ROWS = GLOSSARY.read_text(encoding="utf-8").rpartition("| say | not |\n|---|---|\n")[2].splitlines()
@@ -52,6 +54,7 @@ PARTICIPLES = ("asked", "found", "said", "told")
 """Words that name nothing: a result, a request, a message and a report have names of their own."""
 
 
+@pytest.fixture(scope="module")
 def modules() -> dict[str, ast.Module]:
     """The syntax trees of the generator, the tests and the examples, by path."""
     paths = (x for folder in ("codegen", "tests", "examples")
@@ -83,13 +86,13 @@ def identifiers(tree: ast.Module) -> Iterator[str]:
             yield x.asname or x.name
 
 
-def test_docstrings_begin_with_a_verb_or_the_noun_they_define():
-    wrong = {path: lines for path, tree in modules().items() if (lines := opened(tree))}
+def test_docstrings_begin_with_a_verb_or_the_noun_they_define(modules):
+    wrong = {path: lines for path, tree in modules.items() if (lines := opened(tree))}
     assert not wrong, wrong
 
 
-def test_names_are_no_participles():
-    wrong = {path: names for path, tree in modules().items()
+def test_names_are_no_participles(modules):
+    wrong = {path: names for path, tree in modules.items()
              if (names := sorted(set(identifiers(tree)) & set(PARTICIPLES)))}
     assert not wrong, f"wanted names of what they hold: {wrong}"
 

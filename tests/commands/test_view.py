@@ -50,8 +50,13 @@ def runs(tmp_path_factory):
 @pytest.fixture(scope="module")
 def browser():
     with chromium() as driver:
-        driver.set_script_timeout(SECONDS)
         yield driver
+
+
+@pytest.fixture(scope="module", params=TEXTS)
+def each(request, browser, runs):
+    """The page of each run, opened once for all tests of it: a page opens slowly by software."""
+    return opened(browser, runs[1], request.param)
 
 
 @pytest.fixture(scope="module")
@@ -76,15 +81,60 @@ def shown(pendulum, runs):
     return pendulum
 
 
-@pytest.mark.parametrize("name", TEXTS)
-def test_nothing_is_loaded_and_nothing_fails(browser, runs, name):
-    shown = opened(browser, runs[1], name)
-    shown.find_element(By.ID, "play").click()
-    for tool in shown.find_elements(By.CSS_SELECTOR, "#tools button, #groups button"):
+CORNERS = """
+    const { camera, canvas } = player.stage, box = canvas.getBoundingClientRect();
+    const covers = ["tools", "bar"].map(x => document.getElementById(x).getBoundingClientRect());
+    const narrow = innerWidth < 640;
+    const free = { top: narrow ? 0 : covers[0].bottom - box.top,
+                   bottom: (narrow ? covers[0].top : covers[1].top) - box.top };
+    const points = arguments[0].flatMap(time => {
+      player.clock.seek(time);
+      player.update();
+      player.space.updateWorldMatrix(true, true);
+      return player.robot.bodies.flatMap((group, body) => player.robot.corners(body).map(point => {
+        const p = point.clone().applyMatrix4(group.matrixWorld).project(camera);
+        return [(p.x + 1) / 2 * box.width, (1 - p.y) / 2 * box.height];
+      }));
+    });
+    return [points, free, box.width];"""
+
+
+@pytest.mark.parametrize("each", ("pendulum", "brick", "spring"), indirect=True)
+def test_all_bodies_are_framed(each):
+    """At each time all corners are between the controls, and they fill half of the room there, one
+    way or the other; on a phone as on a desktop."""
+    for width, phone in ((1280, False), (390, True)):
+        resize(each, width, 844, phone)
+        each.execute_async_script("""
+            const done = arguments[0];
+            requestAnimationFrame(() => requestAnimationFrame(() => done()));""")
+        points, free, wide = each.execute_script(CORNERS, [0, 0.5, 1, 1.5, 2])
+        x, y = np.transpose(points)
+        assert x.min() > 0 and x.max() < wide
+        assert free["top"] - 2 < y.min() and y.max() < free["bottom"] + 2
+        filled = max(np.ptp(x) / wide, np.ptp(y) / (free["bottom"] - free["top"]))
+        assert 0.5 < filled <= 1
+
+
+@pytest.mark.parametrize("each", ("awkward",), indirect=True)
+def test_awkward_names_are_text(each):
+    assert each.title == "awkward: playback"
+    assert AWKWARD in each.find_element(By.ID, "space").get_attribute("aria-label")
+    each.find_element(By.TAG_NAME, "body").send_keys("n")
+    each.execute_script("player.update();")
+    assert AWKWARD in [x.text for x in each.find_elements(By.CSS_SELECTOR, "#labels span")]
+    assert each.get_log("browser") == []
+
+
+def test_nothing_is_loaded_and_nothing_fails(each):
+    """The messages include those of the tests above."""
+    resize(each, *SMALL)
+    each.find_element(By.ID, "play").click()
+    for tool in each.find_elements(By.CSS_SELECTOR, "#tools button, #groups button"):
         tool.click()
-    assert shown.get_log("browser") == []
+    assert each.get_log("browser") == []
     requested = [message["params"]["request"]["url"] for message in (
-        json.loads(entry["message"])["message"] for entry in shown.get_log("performance"))
+        json.loads(entry["message"])["message"] for entry in each.get_log("performance"))
         if message["method"] == "Network.requestWillBeSent"]
     assert [x for x in requested if not x.startswith(("file:", "data:"))] == []
     assert sum(x.startswith("file:") for x in requested) == 1
@@ -245,42 +295,6 @@ def test_the_page_fits_its_window(shown, width, phone):
         assert box["height"] >= 38 and box["x"] + box["width"] <= width, name
 
 
-CORNERS = """
-    const { camera, canvas } = player.stage, box = canvas.getBoundingClientRect();
-    const covers = ["tools", "bar"].map(x => document.getElementById(x).getBoundingClientRect());
-    const narrow = innerWidth < 640;
-    const free = { top: narrow ? 0 : covers[0].bottom - box.top,
-                   bottom: (narrow ? covers[0].top : covers[1].top) - box.top };
-    const points = arguments[0].flatMap(time => {
-      player.clock.seek(time);
-      player.update();
-      player.space.updateWorldMatrix(true, true);
-      return player.robot.bodies.flatMap((group, body) => player.robot.corners(body).map(point => {
-        const p = point.clone().applyMatrix4(group.matrixWorld).project(camera);
-        return [(p.x + 1) / 2 * box.width, (1 - p.y) / 2 * box.height];
-      }));
-    });
-    return [points, free, box.width];"""
-
-
-@pytest.mark.parametrize("name", ("pendulum", "brick", "spring"))
-def test_all_bodies_are_framed(browser, runs, name):
-    """At each time all corners are between the controls, and they fill half of the room there, one
-    way or the other; on a phone as on a desktop."""
-    shown = opened(browser, runs[1], name, 1280, 844)
-    for width, phone in ((1280, False), (390, True)):
-        resize(shown, width, 844, phone)
-        shown.execute_async_script("""
-            const done = arguments[0];
-            requestAnimationFrame(() => requestAnimationFrame(() => done()));""")
-        points, free, wide = shown.execute_script(CORNERS, [0, 0.5, 1, 1.5, 2])
-        x, y = np.transpose(points)
-        assert x.min() > 0 and x.max() < wide
-        assert free["top"] - 2 < y.min() and y.max() < free["bottom"] + 2
-        filled = max(np.ptp(x) / wide, np.ptp(y) / (free["bottom"] - free["top"]))
-        assert 0.5 < filled <= 1
-
-
 def test_controls_have_names(shown):
     unnamed = shown.execute_script("""
         return [...document.querySelectorAll("button, input, select, #space, svg")].filter(node =>
@@ -349,37 +363,29 @@ def test_signals_are_plotted_on_demand(shown):
     assert len(shown.find_elements(By.CSS_SELECTOR, ".signals")) == before
 
 
-def test_awkward_names_are_text(browser, runs):
-    shown = opened(browser, runs[1], "awkward")
-    assert shown.title == "awkward: playback"
-    assert AWKWARD in shown.find_element(By.ID, "space").get_attribute("aria-label")
-    shown.find_element(By.TAG_NAME, "body").send_keys("n")
-    shown.execute_script("player.update();")
-    assert AWKWARD in [x.text for x in shown.find_elements(By.CSS_SELECTOR, "#labels span")]
-    assert shown.get_log("browser") == []
-
-
-def test_a_run_that_stopped_says_so(runs, tmp_path):
-    path = tmp_path / "unstable.toml"
+@pytest.fixture(scope="module")
+def unstable(runs):
+    """A run that stopped; its page stands beside the others."""
+    path = runs[1] / "unstable.toml"
     path.write_text(texts.UNSTABLE)
     kernels = checked(path, None, others=("body_poses",), precisions=("double",))
     (result,) = simulated(kernels, RunOverrides(precision="double"))
-    assert f'role="status">{result.trajectory.stopped}' in page([result])
+    view([result], [path.with_suffix(".html")])
+    return result
 
 
-def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_path):
-    path = tmp_path / "unstable.toml"
-    path.write_text(texts.UNSTABLE)
-    kernels = checked(path, None, others=("body_poses",), precisions=("double",))
-    (result,) = simulated(kernels, RunOverrides(precision="double"))
-    view([result], [tmp_path / "unstable.html"])
-    shown = opened(browser, tmp_path, "unstable")
+def test_a_run_that_stopped_says_so(unstable):
+    assert f'role="status">{unstable.trajectory.stopped}' in page([unstable])
+
+
+def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, unstable):
+    shown = opened(browser, runs[1], "unstable")
     assert shown.get_log("browser") == []
     assert shown.execute_script("""
         const poses = player.recording.main.poses;
         return poses.length > 0 && poses.every(Number.isFinite);""")
     ends = shown.execute_script("return player.clock.end;")
-    assert ends < result.trajectory.t[-1]
+    assert ends < unstable.trajectory.t[-1]
     assert shown.find_element(By.ID, "shown").text.startswith(
         f"The playback ends at t = {ends:.6g} s: ")
     assert 'id="shown"' not in (runs[1] / "pendulum.html").read_text()

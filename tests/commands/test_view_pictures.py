@@ -12,7 +12,7 @@ from PIL import Image
 
 from coscrew_codegen.__main__ import main
 from tests.support.browser import chromium, resize
-from tests.support.playback_page import SECONDS, opened
+from tests.support.playback_page import opened
 
 ROOT = Path(__file__).parents[2]
 PICTURES = ROOT / "build/pictures"
@@ -57,7 +57,6 @@ def pages(tmp_path_factory):
 @pytest.fixture(scope="module")
 def browser():
     with chromium() as driver:
-        driver.set_script_timeout(SECONDS)
         yield driver
 
 

@@ -203,12 +203,12 @@ def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Pat
     bad = {}
     for damage, damaged in DAMAGES.items():
         folder = shutil.copytree(whole, tmp_path / damage / "coscrew")
-        entry, = folder.glob(f"*{suffix}")
+        entry, = folder.rglob(f"*{suffix}")
         content = damaged(entry.read_bytes())
         entry.unlink()
         if damage in ("another's", "no pickle"):  # with its content's hash: whole, but not ours
             key = entry.name.partition("-")[0]
-            entry = folder / f"{key}-{len(content)}-{cache.hashed(content)}{suffix}"
+            entry = entry.parent / f"{key}-{len(content)}-{cache.hashed(content)}{suffix}"
         entry.write_bytes(content)
         bad[damage] = content
     done = subprocess.run([sys.executable, "-W", "error", "-c", LOADING, path,
@@ -218,7 +218,7 @@ def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Pat
         bad, str(result.tolist())), done.stderr
     assert not done.stderr
     for damage, content in bad.items():
-        entry, = (tmp_path / damage / "coscrew").glob(f"*{suffix}")
+        entry, = (tmp_path / damage / "coscrew").rglob(f"*{suffix}")
         assert entry.read_bytes() != content, damage
 
 
@@ -259,7 +259,7 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
                                 cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     message = {x.communicate()[0] for x in running}
     assert len(message) == 1 and message != {""} and {x.returncode for x in running} == {0}
-    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".o", ".function"}
+    assert {x.suffix for x in folder.rglob("*.*")} == {".so", ".scene", ".o", ".function"}
 
 
 def test_of_processes_at_once_one_derives(path: Path):
@@ -289,7 +289,13 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     assert f"folder   {folder}\nentries  6\n" in shown
     assert main(["cache", "--clear"]) == 0
     assert "6 entries" in capsys.readouterr().out
-    assert list(folder.iterdir()) == []
+    assert list(folder.rglob("*.*")) == []
+
+
+def test_a_folder_that_cannot_be_is_empty(path: Path, monkeypatch, capsys):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(path))  # a file
+    assert main(["cache"]) == 0
+    assert "entries  0\n" in capsys.readouterr().out
 
 
 def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsys,

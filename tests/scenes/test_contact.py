@@ -85,6 +85,7 @@ def test_a_sliding_ball_ends_rolling_at_five_sevenths(made: Made, precision: str
     assert abs(in_world(result)[0] / (5 / 7 * 3) - 1) < within
 
 
+@pytest.mark.usefixtures("long_run")
 @pytest.mark.parametrize("precision, within", [("double", 1e-9), ("single", 1e-5)])
 def test_a_block_stays_on_a_slope_for_an_hour(made: Made, precision: str, within: float) -> None:
     text = BOX.replace("MU", "0.5") + DOWNHILL + started(0.049)

@@ -92,7 +92,7 @@ def test_effects_that_are_no_files_are_derived_each_time(scene, recorded):
 def test_damaged_entries_are_derived_again(scene, recorded, tmp_path):
     for damage in (lambda x: x[:-1], lambda x: b"", lambda x: x[:-1] + bytes([x[-1] ^ 1])):
         functions(scene, "energy")
-        (entry,) = (tmp_path / "cache" / "coscrew").glob("*.function")
+        (entry,) = (tmp_path / "cache" / "coscrew").rglob("*.function")
         entry.write_bytes(damage(entry.read_bytes()))
     functions(scene, "energy")
     assert recorded == ["energy"] * 4

@@ -15,6 +15,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.compiled.c_harness import STRICT
 from tests.support.compiled.c_harness import run as run_program
+from tests.support.scenes.generated_scenes import LATEST, first_function
 
 FOLDER = Path(__file__).parents[2] / "examples/scenes"
 SCENES = sorted(FOLDER.glob("*.toml"))
@@ -76,8 +77,10 @@ def test_scenes_are_simulated_recorded_plotted_and_shown(scene, tmp_path, capsys
 
 
 def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):
+    """A reader meets the first function soon."""
     assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
     for name in (f"{scene.stem}.c", f"{scene.stem}f.c"):
+        assert first_function((tmp_path / name).read_text(encoding="utf-8")) <= LATEST, name
         run_program(["cc", "-std=c11", *STRICT, "-c", tmp_path / name, "-o",
                      tmp_path / "scene.o"])
 

@@ -17,9 +17,9 @@ from coscrew_codegen.reports.cost.cost_request import CostRequest
 from coscrew_codegen.reports.cost.error_states import box_of
 from coscrew_codegen.reports.cost.measured import Counts
 from coscrew_codegen.reports.cost.needs import core_costs, core_estimates, cortex_m4
-from coscrew_codegen.reports.cost.needs.core_costs import CORES, on_cores
+from coscrew_codegen.reports.cost.needs.core_costs import CORES, CoreCost, on_cores
 from coscrew_codegen.runtime.compilation import compiler
-from coscrew_codegen.runtime.load import kernels_for
+from coscrew_codegen.runtime.load import Kernels, kernels_for
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.simulation.result_units import in_unit
 from coscrew_codegen.simulation.run_summary import RunOverrides
@@ -64,9 +64,24 @@ def test_cores_have_the_bits_of_numpy_in_few_instructions(made, core, products, 
         assert estimate and abs(estimate / count - 1) < 0.1
 
 
-def test_cost_shows_formats_on_cores():
+UNITS = {"inverse_dynamics": "N m", "energy": "J"}
+REQUEST = CostRequest(tuple(UNITS), Counts.of(12))
+
+
+@pytest.fixture(scope="module")
+def measured() -> Kernels:
+    its = read_scene(GIMBAL)
+    return kernels_for(its, REQUEST.needed(its, None))
+
+
+@pytest.fixture(scope="module")
+def costs(measured: Kernels) -> tuple[CoreCost, ...]:
+    """The costs of these functions in each format."""
+    return cost_measurement.measure(measured, RunOverrides(), REQUEST).cores
+
+
+def test_cost_shows_formats_on_cores(costs):
     """Bounds over the ranges, and instructions, function by function."""
-    costs = on_cores(read_scene(GIMBAL), ("inverse_dynamics", "energy"), compiler(), {})
     assert [x.function for x in costs] == ["inverse_dynamics"] * 9 + ["energy"] * 9
     known = {x.format: x for x in costs[:9]}
     assert list(known) == [
@@ -84,26 +99,25 @@ def test_cost_shows_formats_on_cores():
     assert "energy" in text and f"{full.instructions['Cortex-M0+']:,}" in text
 
 
-def test_cost_shows_errors_found_in_the_ranges_beside_the_bounds():
+def test_cost_shows_errors_found_in_the_ranges_beside_the_bounds(measured, costs):
     """Certified functions also return bounds, which lie between."""
     its = read_scene(GIMBAL)
     assert its.ranges
-    request = CostRequest(("inverse_dynamics",), Counts.of(12))
-    kernels = kernels_for(its, request.needed(its, None))
-    box = box_of(system(kernels, "double"), 1.0, 1e-3)
+    box = box_of(system(measured, "double"), 1.0, 1e-3)
     states = box.drawn(np.random.default_rng(0), 400)
     for name in ("q", "v", "a"):
         lower, upper = np.array(its.ranges.of(name, 3)).T
         assert ((lower <= states[name]) & (states[name] <= upper)).all()
         assert (states[name].max(0) > 0.9 * upper).all()
-    costs = cost_measurement.measure(kernels, RunOverrides(), request).cores
     for x in costs:
-        assert 0 < x.worst["N m"] <= x.bounds["N m"] < 100 * x.worst["N m"], x.format
-        assert ("certified" in x.format) == ("N m" in x.returned)
-        assert not x.returned or x.worst["N m"] <= x.returned["N m"] <= x.bounds["N m"]
+        unit = UNITS[x.function]
+        assert 0 < x.worst[unit] <= x.bounds[unit] < 100 * x.worst[unit], x.format
+        assert ("certified" in x.format) == (unit in x.returned)
+        assert not x.returned or x.worst[unit] <= x.returned[unit] <= x.bounds[unit]
     table = core_costs.table(costs)
     column = table.headers.index("found")
-    assert [row[column] for row in table.rows] == [in_unit(x.worst["N m"], "N m") for x in costs]
+    assert [row[column] for row in table.rows] == [
+        in_unit(x.worst[UNITS[x.function]], UNITS[x.function]) for x in costs]
 
 
 def test_cost_shows_nothing_of_scenes_without_the_tier(tmp_path):

@@ -91,8 +91,8 @@ def test_libraries_are_compiled_once(counted, cache: Path):
                      again.double.forward_dynamics(*ARGUMENTS))
     kernels_of(replace(slider(), neutral=(0.0, 0.5)))
     assert counted() == 8  # the same calls
-    assert len(list(cache.glob("*.so"))) == 2
-    assert not list(cache.glob(".*"))  # nothing left over from building
+    assert len(list(cache.rglob("*.so"))) == 2
+    assert not list(cache.rglob(".*"))  # nothing left over from building
 
 
 def test_other_compilers_make_libraries_of_their_own(cache: Path, monkeypatch):
@@ -100,7 +100,7 @@ def test_other_compilers_make_libraries_of_their_own(cache: Path, monkeypatch):
         monkeypatch.setenv("CC", compiler)
         kernels = kernels_of(slider())
         assert kernels.compiled and "-ffp-contract=off" in kernels.compiler
-        assert len(list(cache.glob("*.so"))) == number
+        assert len(list(cache.rglob("*.so"))) == number
 
 
 def test_a_level_of_optimization_in_cc_replaces_the_own(cache: Path, compiled: Kernels,
@@ -140,12 +140,12 @@ def test_damaged_libraries_are_made_again(counted, filled, tmp_path: Path, monke
     """In another process, since opening a truncated library may end it.  Each damage has a cache of
     its own."""
     whole, kernels = filled
-    library, = whole.glob("*.so")
+    library, = whole.rglob("*.so")
     content = library.read_bytes()
     damages = {"truncated": content[:len(content) // 2], "emptied": b"",
                "changed": content[:-1] + bytes([content[-1] ^ 1]), "replaced": b"no library"}
     for damage, bad in damages.items():
-        folder = tmp_path / damage / "coscrew"
+        folder = tmp_path / damage / "coscrew" / library.parent.name
         folder.mkdir(parents=True)
         (folder / library.name).write_bytes(bad)
     done = subprocess.run([sys.executable, "-W", "error", "-c", LOADING,
@@ -156,7 +156,7 @@ def test_damaged_libraries_are_made_again(counted, filled, tmp_path: Path, monke
         damages, wanted), done.stderr
     assert not done.stderr and counted() == 5 * len(damages)
     for damage in damages:
-        assert len(list((tmp_path / damage / "coscrew").glob("*.so"))) == 1
+        assert len(list((tmp_path / damage / "coscrew").rglob("*.so"))) == 1
         monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / damage))
         assert kernels_of(slider()).compiled and counted() == 5 * len(damages)
 
@@ -190,7 +190,7 @@ def test_a_compiler_that_refuses_is_quoted(tmp_path: Path, cache: Path, monkeypa
     monkeypatch.setenv("CC", str(script))
     with pytest.warns(RuntimeWarning, match="(?s)refusing cannot compile:.*licence expired"):
         assert not kernels_of(pendulum()).compiled
-    assert not list(cache.glob(".building*"))
+    assert not list(cache.rglob(".building*"))
 
 
 def test_processors_without_march_native_are_served(tmp_path: Path, cache: Path, monkeypatch):
@@ -351,7 +351,7 @@ def test_processes_may_fill_the_cache_at_once(cache: Path):
     running = [subprocess.Popen([sys.executable, "-W", "error", "-c", program],
                                 cwd=Path(__file__).parents[2]) for _ in range(2)]
     assert [x.wait() for x in running] == [0, 0]
-    assert {x.suffix for x in cache.iterdir()} == {".so", ".o"}
+    assert {x.suffix for x in cache.rglob("*.*")} == {".so", ".o"}
 
 
 def test_generated_python_mends_itself(cache: Path, monkeypatch):

@@ -237,7 +237,7 @@ def test_scenes_of_files_pickle(tmp_path: Path, cache: Path):
     (tmp_path / "scene.toml").unlink()
     again = pickle.loads(pickle.dumps(spring))
     assert again.scene == spring.scene and again.parameters == spring.parameters
-    assert len(list(cache.glob("*.so"))) == 1  # found again, not made again
+    assert len(list(cache.rglob("*.so"))) == 1  # found again, not made again
 
 
 @pytest.mark.parametrize("start", ("spawn", "fork"))
@@ -246,10 +246,10 @@ def test_other_processes_take_functions(cache: Path, start: str):
     described = scene_calls.callables(pendulum())
     shapes = next(x.inputs for x in described if x.name == "forward_dynamics")
     arguments = [np.full((5, *shape), 0.3) for _, shape in shapes]
-    before = sorted(cache.glob("*.so"))
+    before = sorted(cache.rglob("*.so"))
     with ProcessPoolExecutor(1, get_context(start)) as pool:
         assert same_bits(pool.submit(function, *arguments).result(), function(*arguments))
-    assert sorted(cache.glob("*.so")) == before  # found there, not made again
+    assert sorted(cache.rglob("*.so")) == before  # found there, not made again
 
 
 def test_dask_maps_functions(kernels: Kernels):

@@ -254,7 +254,7 @@ def test_runs_have_help_of_their_own(kernels: Kernels):
 def test_lanes_are_compiled_when_they_pay(scene: Callable[[], SceneFunctions], tmp_path: Path,
                                           monkeypatch: pytest.MonkeyPatch):
     def libraries() -> int:
-        return len(list((tmp_path / "coscrew").glob("*.so")))
+        return len(list((tmp_path / "coscrew").rglob("*.so")))
 
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(lanes, "PAYS", 100)

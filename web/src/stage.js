@@ -45,7 +45,7 @@ export class Stage {
     renderer.shadowMap.type = PCFShadowMap;
     renderer.toneMapping = ACESFilmicToneMapping;
     renderer.setClearColor(0, 0);
-    scene.environment = new PMREMGenerator(renderer).fromScene(new RoomEnvironment(), .04).texture;
+    scene.environment = new PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
     this.sky = new HemisphereLight(0xffffff, 0x9aa4b2);
     scene.add(this.sky);
     const key = this.key = new DirectionalLight(0xfff4e6, 2.55), shadow = key.shadow;

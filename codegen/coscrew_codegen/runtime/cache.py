@@ -4,8 +4,9 @@
 made from, its size, and the hash of its content, so that damaged entries are recognized and made
 again.
 Entries are written under another name and then renamed, so that concurrent processes see complete
-entries; one process makes an entry, others wait for it.  When all together exceed the limit,
-$COSCREW_CACHE_LIMIT, the least recently used entries are removed.
+entries; one process makes an entry, others wait for it.  They stand in 256 folders by the first
+digits of their keys, since to find one means to list its folder.  When all together exceed the
+limit, $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
 """
 
 import functools
@@ -31,6 +32,8 @@ DEFAULT_LIMIT = "1 GB"
 _UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
 _SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
 _SIZE_IN_NAME = re.compile("[0-9a-f]{32}-([0-9]+)-")
+_FOLDER = re.compile("[0-9a-f]{2}")
+_OVER = 0.01  # of the limit, that is written on average until entries are found to exceed it
 _ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
 
 
@@ -124,8 +127,8 @@ def kept_as(key: str, suffix: str, read: Callable[[Path], Value]) -> Value | Non
 
 def entry(key: str, suffix: str) -> Path | None:
     """The entry of this key, marked as used now; None if there is none or it is damaged."""
-    place = folder()
-    for name in sorted(x for x in os.listdir(place)
+    place = folder() / key[:2]
+    for name in sorted(x for x in _names(place)
                        if x.startswith(f"{key}-") and x.endswith(suffix)):
         path = place / name
         with suppress(OSError):
@@ -138,10 +141,12 @@ def entry(key: str, suffix: str) -> Path | None:
 
 def write(key: str, suffix: str, content: bytes) -> Path:
     """Store this content as an entry; removes others if the cache is full."""
-    most = limit()
-    path = folder() / f"{key}-{len(content)}-{hashed(content)}{suffix}"
+    most, size, digest = limit(), len(content), hashed(content)
+    path = folder() / key[:2] / f"{key}-{size}-{digest}{suffix}"
     replaced(path, content)
-    if _total() > most:
+    # To add up thousands of sizes takes longer than to write an entry.  The hash, a random number
+    # below 16^16, chooses each with a probability that is proportional to its size.
+    if int(digest, 16) * _OVER * most <= size * 16**16 and _total() > most:
         evict(most, path)
     return path
 
@@ -197,8 +202,7 @@ def standard(value: object) -> tuple[Callable[[bytes], Any], bytes]:
 def entries() -> list[CacheEntry]:
     """All entries, the least recently used first; also abandoned unfinished files."""
     entries = []
-    place = wanted_folder()
-    for path in place.iterdir() if place.is_dir() else ():
+    for path in _paths(wanted_folder()):
         with suppress(OSError):
             used = path.stat().st_mtime
             if not path.name.startswith(".") or time.time() - used > _ABANDONED:
@@ -209,9 +213,23 @@ def entries() -> list[CacheEntry]:
 def _total() -> int:
     """Returns the size of all together in bytes, from their names: to ask the system for the sizes
     of thousands of files takes longer than to make one."""
-    place = folder()
-    sizes = [(x, _SIZE_IN_NAME.match(x)) for x in os.listdir(place)]
-    return sum(int(size[1]) if size else _size(place / name) for name, size in sizes)
+    sizes = [(x, _SIZE_IN_NAME.match(x.name)) for x in _paths(folder())]
+    return sum(int(size[1]) if size else _size(path) for path, size in sizes)
+
+
+def _paths(place: Path) -> Iterator[Path]:
+    """The paths in the folder and in those by first digits."""
+    for name in _names(place):
+        if _FOLDER.fullmatch(name):
+            yield from (place / name / x for x in _names(place / name))
+        else:
+            yield place / name
+
+
+def _names(place: Path) -> list[str]:
+    with suppress(FileNotFoundError, NotADirectoryError):
+        return os.listdir(place)
+    return []
 
 
 def evict(most: int, kept: Path | None = None) -> list[CacheEntry]:

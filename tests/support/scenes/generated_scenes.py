@@ -7,6 +7,7 @@
 
 import importlib.util
 import random
+import re
 import sys
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -21,7 +22,14 @@ from coscrew_codegen.program.scene_functions import Coordinate, FunctionProgram,
 from coscrew_codegen.program.values.quantity import Argument, Part, Quantity
 from coscrew_codegen.scene.integrators import named
 
+LATEST = 120
+"""The line of a scene's C by which a reader meets the first public function."""
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."
+
+
+def first_function(text: str) -> int:
+    """The line of a scene's C with its first public function."""
+    return next(n for n, x in enumerate(text.splitlines(), 1) if re.match(r"void \w+\(", x))
 
 
 def argument(name: str, *shape: int) -> Argument:
