@@ -10,6 +10,7 @@ from mpmath import mpf
 
 from coscrew_codegen import load_scene, run_adjoint
 from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.program import ZERO
 from coscrew_codegen.scene.function_selection import FunctionsError, all_names
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.integrators import EMITTED, named
@@ -141,6 +142,19 @@ def test_matrices_have_rows_of_states(tmp_path: Path) -> None:
     assert A[2, 4] == pytest.approx(h, rel=1e-2)
     assert np.array_equal(A[2, :2], [0, 0])  # the place of the block moves no bristle
     assert A[4, 2] == pytest.approx(-5e5 * h / 2, rel=1e-3)  # the bristle's force on 2 kg
+
+
+@CASES
+def test_the_chart_has_rows_of_zeros_for_states(scene: Scene, q: list[float], v: list[float]
+                                                ) -> None:
+    """Their units, too: of a state over a displacement."""
+    chart = derive(scene, ["chart"]).named("chart")
+    rows = len(q)
+    assert [a.quantity.shape for a in chart.program.outputs] == [(rows, len(v))]
+    assert len(chart.units) == rows * len(v)
+    given = sum(len(x.kind.units("q")) for x in scene.model.joints if x.kind.units("q"))
+    zeros = chart.program.results[given * len(v):]
+    assert zeros and all(x == ZERO for x in zeros)
 
 
 def test_gradient_of_a_run_through_a_bounce(tmp_path: Path) -> None:

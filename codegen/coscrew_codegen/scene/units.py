@@ -37,11 +37,6 @@ def displacements(kinds: Kinds) -> tuple[str, ...]:
     return tuple(unit.removesuffix("/s") for unit in velocities(kinds))
 
 
-def coordinates_by_displacements(kinds: Kinds) -> tuple[str, ...]:
-    """Units of ∂(q ⊕ phi)/∂phi, row by row."""
-    return over(coordinates(kinds), displacements(kinds))
-
-
 def torques(kinds: Kinds) -> tuple[str, ...]:
     """Units of tau: the unit of power over that of v."""
     return tuple("N m" if unit == "rad/s" else "N" for unit in velocities(kinds))
