@@ -52,7 +52,7 @@ class Dynamics(Protocol):
 
     scene: Scene
     recorder: "Recorder"
-    target: str  # of a family's member: its body or joint
+    target: str  # of a family's member: its body, joint or loop
 
     def argument(self, name: str) -> Numbers:
         """The components of an input."""
@@ -262,8 +262,8 @@ class SceneFunction:
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
     units_in: Callable[[Situation], tuple[str, ...]] | None = None  # of all results, likewise
     internal: bool = False  # called by steps alone, so that it cannot be selected
-    targets: Of = Of.SCENE  # of a family: what it has a member for, of those that move
-    driven: bool = False  # whether it is at tau = 0, and NAME_tau with torques of joints besides
+    targets: Of = Of.SCENE  # of a family: members are for bodies or joints that move, or loops
+    with_tau: bool = False  # whether NAME_tau, with the input tau, is made besides; here tau = 0
     members: Callable[["SceneFunction", Scene], tuple["SceneFunction", ...]] | None = None  # of a
     # family whose members differ in more than targets
     target: str = ""  # of a member: its body, joint or loop
@@ -353,7 +353,7 @@ class SceneFunction:
         if self.within(scene) is not self:
             return self.within(scene).of(scene)
         own = self.members(self, scene) if self.members else self._of_targets(scene)
-        return (*own, *(x._with_tau() for x in own)) if self.driven else own
+        return (*own, *(x._taking_tau() for x in own)) if self.with_tau else own
 
     def _of_targets(self, scene: Scene) -> tuple["SceneFunction", ...]:
         if self.targets is Of.SCENE:
@@ -362,7 +362,7 @@ class SceneFunction:
         return tuple(replace(self, name=name, words=self.words.replace(word, target), target=target)
                      for target, name in self.names(scene).items())
 
-    def _with_tau(self) -> "SceneFunction":
+    def _taking_tau(self) -> "SceneFunction":
         return replace(self, name=f"{self.name}_tau", place=self.place + 2,
                        inputs=f"{self.inputs} tau",
                        words=self.words.replace("-bias_torques", "tau -bias_torques"))
@@ -375,8 +375,8 @@ class SceneFunction:
 
 
 def _targets(kind: Of, model: Model) -> list[tuple[str, str]]:
-    """The bodies, joints or loops for which a family has members: how the members' names write
-    them, and their names."""
+    """The bodies, joints or loops for which a family has members: (the identifier in the member's
+    name, the name) of each."""
     match kind:
         case Of.BODY:
             names, links = [x.name for x in model.bodies], model.links()

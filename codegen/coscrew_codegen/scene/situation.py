@@ -1,5 +1,4 @@
-"""Properties of scenes on which functions depend, and those without which a scene cannot have some.
-"""
+"""Properties of scenes on which functions depend, and preconditions of functions."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

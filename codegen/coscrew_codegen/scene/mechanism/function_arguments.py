@@ -88,7 +88,7 @@ class Frame(Enum):
 
 
 class Of(Enum):
-    """Owner of a recorded quantity."""
+    """Owner of a recorded quantity, or target of a function."""
 
     SCENE = ""
     BODY = "body"

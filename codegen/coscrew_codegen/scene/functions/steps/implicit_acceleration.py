@@ -6,4 +6,4 @@ FUNCTION = SceneFunction(
     "implicit_acceleration", 150, "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, where "
     "d, k are the damping and stiffness of the effects", "h q v", (A,),
     lambda x: [x.implicit_accelerations()], Depends.EFFECTS, divides=True, internal=True,
-    driven=True)
+    with_tau=True)

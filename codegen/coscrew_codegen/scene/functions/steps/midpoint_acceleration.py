@@ -19,4 +19,4 @@ FUNCTION = SceneFunction(
     "midpoint_acceleration", 151, "a with M(q) a = -bias_torques(q, v + h/2 a) as the default "
     "integrator solves it, in two passes, implicit in damping and stiffness of the effects",
     "h q v", (A,), lambda x: [x.midpoint_accelerations()], Depends.EFFECTS, divides=True,
-    internal=True, driven=True, members=_members)
+    internal=True, with_tau=True, members=_members)
