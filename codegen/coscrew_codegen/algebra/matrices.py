@@ -122,7 +122,8 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
     point now at the origin).  R is the rotation of a quaternion q, whose rate is q' = ½ (ω; 0) q.
     Every entry of operator(D) is then a polynomial N over n = |q|², and every entry of
     operator(D)^-1 a polynomial K over n.  (N' n - N n') K is divisible by n³, and D cancels.
-    Quotients are polynomials in 1/n here: to find common divisors took five sixths of the time.
+    Here 1/n is a variable, so that all are polynomials: quotients' common divisors took five sixths
+    of the time.
     """
     v, w = lin(s), ang(s)
     q = sp.symbols("q_x q_y q_z q_w")
@@ -139,7 +140,7 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
     n = ring.from_sympy(size)
 
     def numerator(x: sp.Expr) -> PolyElement:
-        terms = ring.from_sympy(x).terms()  # of degree 2 in 1/n at most
+        terms = ring.from_sympy(x).terms()  # degree in 1/n: at most 2
         return sum((n**(2 - powers[0]) * ring.ring.term_new((0, *powers[1:]), factor)
                     for powers, factor in terms), ring.zero).exquo(n)
 

@@ -95,7 +95,7 @@ def _weights(x: FunctionRecording, a: Array, y: Numbers, weight: Numbers) -> Num
 
 
 def _chart(x: FunctionRecording, q: Numbers) -> dict[Number, Row]:
-    """The rows by velocities of coordinates and of the displacements that follow from them."""
+    """Derivatives by velocities of coordinates, and of the displacements that these determine."""
     with x.recorder.part("chart"):
         motion = _at(x, q)
         displacements = coordinates.displacement_chart(motion)
@@ -105,7 +105,7 @@ def _chart(x: FunctionRecording, q: Numbers) -> dict[Number, Row]:
 
 def _along(x: FunctionRecording, a: Array, chart: Mapping[Number, Row],
            slopes: Mapping[Number, Number]) -> Numbers:
-    """Derivatives along velocities of a function of coordinates."""
+    """Derivatives by velocities, from those by the numbers of the chart: Σ slope · row."""
     with x.recorder.part("chart", a.name):
         weights = [slopes[y] for y in chart]
         return [_combined(column, weights) for column in zip(*chart.values(), strict=True)]

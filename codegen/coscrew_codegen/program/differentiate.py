@@ -47,8 +47,8 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
             inputs: Sequence[Sequence[Dual[V]]], partials_of: Partials = of_table,
             product: Product = times,
             known: Mapping[V, Dual[V]] | None = None) -> list[Dual[V]]:
-    """The results with their derivatives along the directions that the inputs carry.  Those of
-    intermediate values may be `known`."""
+    """The results with their derivatives along the directions that the inputs carry.  `known` gives
+    the derivatives of some intermediate values, which are then not derived."""
     count = len(next(x for given in inputs for x in given).slopes)
     chain = _ChainRule[Dual[V]](program, functions, partials_of)
 
@@ -118,8 +118,10 @@ class _Term(NamedTuple):
 
 
 class _Turned(NamedTuple):
-    """A term, or a sum of two with one angle: a component of a turned vector.  The program computes
-    the other component, `opposite` to the derivative by the angle, or one of its products."""
+    """A component of a turned vector: a term, or a sum of two with one angle.
+
+    Its derivative by the angle is the other component, up to signs.  The program computes a product
+    of that at least; if `opposite`, all of it, with the opposite sign."""
 
     terms: tuple[_Term, ...]
     opposite: bool = False
@@ -143,7 +145,7 @@ def _turned(program: Program) -> Mapping[str, _Turned]:
                 in enumerate(factors) if factor and factor.op in _DERIVATIVE]
 
     def other(term: _Term) -> Operand | None:
-        """The product in the other component."""
+        """The product of the other component with the same x."""
         factor = circular.get((_DERIVATIVE[term.circular.op], term.circular.operands))
         return factor and products.get(frozenset({factor, term.product.operands[term.place]}))
 
@@ -220,8 +222,8 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFu
             product: Product = times, independent: Sequence[V] = ()
             ) -> tuple[list[V], list[list[V | None]]]:
     """(results, derivatives of Σ weight · result by the components of each input); None is zero.
-    One pass forward and one back, for any number of inputs.  Intermediate values that are
-    `independent` count as a further input: those by the inputs do not pass through them. """
+    One pass forward and one back, for any number of inputs.  `independent` intermediate values
+    count as a further input: derivatives by the other inputs do not pass through them."""
     made: list[tuple[Instruction, _Node[V]]] = []
     chain = _ChainRule[_Node[V]](program, functions, partials_of)
     leaves = {x: _Node(x) for x in independent}

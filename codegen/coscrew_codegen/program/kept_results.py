@@ -10,10 +10,10 @@ Result = TypeVar("Result")
 
 
 def kept_with(function: Callable[[Given], Result]) -> Callable[[Given], Result]:
-    """The function, whose results are kept with its argument.
+    """Decorates a function of an object: its result is kept as long as the object.
 
-    Objects are told apart by identity: equal Programs may differ in the names of their constants,
-    and so in text."""
+    Equal objects have results of their own, since equal Programs may differ in the names of their
+    constants, and so in text."""
     results: dict[int, Result] = {}
 
     @wraps(function)

@@ -1,7 +1,7 @@
 """Finds effects, tiers, targets, readers …: adding or deleting a file adds or removes one.
 
 Each is a module of its package and assigns the object to an agreed name, such as `EFFECT`.  Modules
-without that name in their text are helpers of the others, and are not imported for this."""
+without that name in their text serve the others, and are not imported to look for it."""
 
 import sys
 from collections.abc import Iterable
@@ -47,7 +47,7 @@ def discover(package: str, path: Iterable[str], attribute: str, kind: type[Found
 
 
 def _has(module: str, attribute: str) -> bool:
-    """Returns whether the text of a module, or its bytecode, has this word."""
+    """Returns whether the text or bytecode of a module contains this word, or cannot be read."""
     spec = find_spec(module)
     return not (spec and spec.origin and spec.has_location) or \
         attribute.encode() in Path(spec.origin).read_bytes()

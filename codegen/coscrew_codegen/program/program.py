@@ -127,8 +127,8 @@ class Program:
         return hash((self.name, self.instructions, self.results, self.wide))
 
     def __getstate__(self) -> Mapping[str, object]:
-        """Returns what is pickled: the fields, without what is computed from them; other processes
-        hash texts otherwise."""
+        """Returns what is pickled: the fields alone; a hash kept with them would be wrong in other
+        processes."""
         return {x.name: getattr(self, x.name) for x in fields(self)}
 
     @cached_property

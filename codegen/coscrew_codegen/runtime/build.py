@@ -72,12 +72,12 @@ def _relative(root: Path, paths: Iterable[Path]) -> list[str]:
 
 
 _QUICK = ["-O2", "-fvect-cost-model=dynamic", "-fpeel-loops"]
-"""Flags of gcc's with which it compiles faster than with -O3, and as fast loops.  Functions of the
+"""Flags with which gcc compiles faster than with -O3, and loops are as fast.  Functions of the
 accurate tier are longer: their loops need the inlining of -O3."""
 
 
 def _optimization(module: str, compiler: Sequence[str]) -> list[str]:
-    """The level of optimization of a module; other compilers than gcc do not know its flags."""
+    """The flags of optimization of a module: gcc's, if this compiler knows them."""
     known = ".accurate." not in module and which(compiler[0]) and not subprocess.run(
         [*compiler, *_QUICK, "-E", "-x", "c", os.devnull], capture_output=True).returncode
     return _QUICK if known else ["-O3"]

@@ -2,11 +2,11 @@
 
 `cached` finds a value or makes it.  An entry's name is its key, a hash of everything that it was
 made from, its size, and the hash of its content, so that damaged entries are recognized and made
-again.
-Entries are written under another name and then renamed, so that concurrent processes see complete
-entries; one process makes an entry, others wait for it.  They stand in 256 folders by the first
-digits of their keys, since to find one means to list its folder.  When all together exceed the
-limit, $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
+again.  Entries stand in 256 folders, by the first digits of their keys, since to find one means to
+list its folder.
+They are written under another name and then renamed, so that concurrent processes see complete
+entries; one process makes an entry, others wait for it.  When all together exceed the limit,
+$COSCREW_CACHE_LIMIT, the least recently used entries are removed.
 """
 
 import functools
@@ -33,7 +33,7 @@ _UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
 _SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
 _SIZE_IN_NAME = re.compile("[0-9a-f]{32}-([0-9]+)-")
 _FOLDER = re.compile("[0-9a-f]{2}")
-_OVER = 0.01  # of the limit, that is written on average until entries are found to exceed it
+_UNCHECKED = 0.01  # of the limit: written, on average, until the sizes are added up again
 _ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
 
 
@@ -144,9 +144,10 @@ def write(key: str, suffix: str, content: bytes) -> Path:
     most, size, digest = limit(), len(content), hashed(content)
     path = folder() / key[:2] / f"{key}-{size}-{digest}{suffix}"
     replaced(path, content)
-    # To add up thousands of sizes takes longer than to write an entry.  The hash, a random number
-    # below 16^16, chooses each with a probability that is proportional to its size.
-    if int(digest, 16) * _OVER * most <= size * 16**16 and _total() > most:
+    # To add up thousands of sizes takes longer than to write an entry.  So they are added up with a
+    # probability that is proportional to this entry's size; its hash is the random number, below
+    # 16^16.
+    if int(digest, 16) * _UNCHECKED * most <= size * 16**16 and _total() > most:
         evict(most, path)
     return path
 

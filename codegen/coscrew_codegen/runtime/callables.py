@@ -1,4 +1,5 @@
-"""Compiled functions as Python callables on arrays, which broadcast over leading axes."""
+"""Compiled functions as Python callables on arrays, which broadcast over leading axes; arguments in
+order or by name, with errors that name the missing one."""
 
 import ctypes
 import functools
@@ -164,7 +165,7 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, checked_by: ModuleTyp
     loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
     in_c = functools.partial(_in_c, library, name, described, precision)
     of_rows = compiled_calls.CompiledFunction(described, kind, in_c(_declined), loop, checked_by,
-                                             signs(scene))
+                                              signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
     def checked(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object,
@@ -257,7 +258,7 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
                 signed: tuple[tuple[int, str, bool], ...]) -> dict[str, Made]:
     """Methods of a step that take many steps in one call."""
     its = compiled_calls.steps(_unlocked(library._name), name, several, described,
-                           np.dtype(precision.numpy_type), checked_by, signed, precision.name)
+                               np.dtype(precision.numpy_type), checked_by, signed, precision.name)
 
     def repeated(self: _Callable, n: int, t: float, h: float, p: ArrayLike, q: ArrayLike,
                  v: ArrayLike, *, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:

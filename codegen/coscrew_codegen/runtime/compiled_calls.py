@@ -1,5 +1,5 @@
-"""Calls of compiled functions on arrays, wherever their numbers stand, and of many steps of an
-integrator at once: of one state or many, also under a controller."""
+"""Calls of compiled functions on arrays, which C reads where they stand if it can; also of many
+steps of an integrator at once: of one state or many, also under a controller."""
 
 import ctypes
 import operator

@@ -1,5 +1,6 @@
-"""Identifiers of C and Python: of joints and bodies, and of scenes, whose names begin those of C's
-functions, and name headers and packages."""
+"""Identifiers of C and Python for joints, bodies and scenes.
+
+A scene's name is that of its header and its package, and begins the names of its functions in C."""
 
 import keyword
 import re

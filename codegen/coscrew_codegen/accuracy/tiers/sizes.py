@@ -318,7 +318,7 @@ class Sizes:
 
 
 def _order(x: Operand) -> tuple[int, str]:
-    """Sort key: constants first, then inputs, then results by their names."""
+    """The key to sort by: constants first, then inputs, then results of instructions by name."""
     if isinstance(x, Ref):
         return 2, x.name
     return (0, "") if isinstance(x, Constant) else (1, str(x))

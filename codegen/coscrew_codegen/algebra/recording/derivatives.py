@@ -58,7 +58,7 @@ def jacobian(program: Program) -> Program:
 def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]],
           known: Mapping[Number, Dual[Number]] | None = None) -> list[Dual[Number]]:
     """The results on numbers of a recording, with their derivatives along the directions that these
-    carry.  Those of intermediate values may be `known`."""
+    carry.  `known` gives the derivatives of some intermediate values."""
     return differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
                                  _of_root_of_zero, known)
 
@@ -81,7 +81,7 @@ def weighted(program: Program, recorder: Recorder, given: Sequence[Sequence[Numb
              weights: Sequence[Number], independent: Sequence[Number] = ()
              ) -> tuple[list[Number], list[list[Number]]]:
     """The results on numbers of a recording, and the derivatives of their sum with these weights by
-    the components of each input; then by intermediate values that are `independent`."""
+    the components of each input; last by `independent` intermediate values, if there are any."""
     choices = Choices(program, recorder)
     values, slopes = differentiate.adjoint(program, choices.arithmetic, numbers, given, weights,
                                            _partials, choices.product, independent)

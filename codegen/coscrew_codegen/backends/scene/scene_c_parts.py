@@ -42,7 +42,7 @@ LONG = 4000
 shorter, and would be slower in parts."""
 LONGEST = 600
 """Largest number of instructions of a part: those of a few links."""
-_NO_INPUTS = Program("constants", (), (), (), ())
+_OF_CONSTANTS = Program("constants", (), (), (), ())
 _OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
 
 
@@ -133,7 +133,7 @@ class FunctionParts:
 
     def _results(self, function: FunctionProgram, last: Program, precision: Precision,
                  results: Mapping[str, Operand]) -> str:
-        """The stores of these results, by their targets."""
+        """The text that stores these results, which are given by their targets."""
         last = replace(last, results=tuple(results.values()))
         return FunctionBody(last, precision, Stored(
             self._returned(last, precision, self._copies(function, precision)), [*results],
@@ -142,7 +142,7 @@ class FunctionParts:
                 rows(outputs(function)), function.internal)).text()
 
     def _targets(self, function: FunctionProgram) -> Iterator[tuple[str, Operand]]:
-        """The targets of a function's results, and the results."""
+        """(target, result) of each of a function's results."""
         return zip(arguments.targets(outputs(function)), self.cuts[function.name].last.results,
                    strict=True)
 
@@ -198,7 +198,7 @@ class FunctionParts:
                                  for target in stores.get(x, ())], WIDTH - 2)
             if constants := {k: v for x in names for k, v in beside.get(x, {}).items()}:
                 function = self.scene.named(group.users[0])
-                yield dedent(self._results(function, _NO_INPUTS, precision, constants))
+                yield dedent(self._results(function, _OF_CONSTANTS, precision, constants))
 
     def _planned(self, part: Program, named: frozenset[str]) -> NestingPlan:
         """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
@@ -246,9 +246,9 @@ class FunctionParts:
         return stored if any(self._shared(own, x) for x in own.kept) else {}
 
     def _constants_beside(self, function: FunctionProgram) -> dict[str, dict[str, Operand]]:
-        """Results that are constants, by their targets, by the first value that a part stores in
-        the same row.  Behind all parts, zeros of sparse matrices come faster than caches take
-        them."""
+        """Maps the first value that a part stores in each row of a result to the row's constants,
+        by their targets.  Stored after all parts, zeros of sparse matrices come faster than caches
+        take them."""
         of_row: dict[tuple[str, int], dict[str, Operand]] = {}
         beside: dict[str, dict[str, Operand]] = {}
         length = rows(outputs(function))
@@ -263,7 +263,7 @@ class FunctionParts:
         return beside
 
     def _constants(self, group: Group, precision: Precision) -> Mapping[str, Mapping[str, Operand]]:
-        """The constants that the group's parts store, by targets, by the values beside them."""
+        """The constants that the group's parts store, likewise."""
         return self._beside[group.users[0]] if self._stores(group, precision) else {}
 
     def _shared(self, group: Group, value: str) -> bool:

@@ -1,4 +1,5 @@
-"""The header that the C of all scenes includes, as `scene_runtime_header.py` has made it."""
+"""The header that the C of all scenes includes, read from the generated headers;
+`scene_runtime_header.py` makes it."""
 
 import re
 from collections.abc import Iterable

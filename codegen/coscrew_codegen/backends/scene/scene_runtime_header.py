@@ -2,8 +2,8 @@
 once, elementary functions.
 
 It depends on no scene, so that a program vendors it once, and it is generated once: files of scenes
-bring a copy.  A fingerprint of its text stands in it and in the
-files that include it: those of another version refuse to compile.
+bring a copy.  A fingerprint of its text stands in it and in the files that include it: those of
+another version refuse to compile.
 """
 
 import re

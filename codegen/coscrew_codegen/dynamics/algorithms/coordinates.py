@@ -125,9 +125,10 @@ def chart(motion: Motion, states: bool = False) -> list[list[Number | None]]:
 
 
 def displacement_chart(motion: Motion) -> dict[Number, list[Number | None]]:
-    """Rows as of the chart, for entries of displacements D = [R | t] of joints with a manifold: of
-    a row (r, t) r × e and r·l for a screw (l; e), in fewer operations than the chain through a
-    quaternion takes.  Only for the rows that the recording has computed."""
+    """The derivatives by velocities of displacements D = [R | t] of joints with a manifold, by
+    entry, as rows of the chart: for a row (r, t) of D and a screw (l; e) they are r × e and r·l,
+    fewer operations than the chain rule through the quaternion takes.  Only of the rows of D that
+    the recording has computed."""
     computed = {"", *(step.name for step in motion.recorder.issued(0))}
     rows: dict[Number, list[Number | None]] = {}
     for number, link in enumerate(motion.tree.links):

@@ -33,8 +33,8 @@ from coscrew_codegen.scene.scene import Applied, Scene
 
 
 def floating(scene: Scene, tree: Tree, roots: Sequence[int]) -> tuple[int, ...]:
-    """The first links of the floating trees, among `roots`: the links with free joints in the
-    world."""
+    """The first links of the floating trees; `roots` are all links with a free joint in the world.
+    """
     tied = {root for applied in scene.effects for root in _tied(applied, tree)
             if not _idle(scene, tree, applied)}
     for number, link in enumerate(tree.links):

@@ -26,9 +26,8 @@ NAMES = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
 """Mass, first and second moments of a link about its origin, in its frame."""
 UNITS = ("kg", *["kg m"] * 3, *["kg m^2"] * 6)
 
-
 _Screws = Mapping[int, Sequence[Twist]]
-"""The screws of the freedoms at a link and before it, in its frame, by link."""
+"""Screws of the freedoms at a link and at those before it, in its frame; by link."""
 
 
 def columns(motion: Motion) -> list[Sequence[Number]]:

@@ -1,6 +1,8 @@
 """States proved bounds of a plain function's rounding errors for all states within the joints'
-limits; nothing where a bound is infinite or too large to be of use.  And the accuracy that a scene
-requests of a function, with the limits between which states are drawn."""
+limits; nothing where a bound is infinite or too large to be of use.
+
+Also the accuracy that a scene requests of a function, and the limits between which states are drawn
+to tune it."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -25,7 +25,7 @@ FEWEST = 4
 SHORTEST = 32
 """Least number of instructions of a column."""
 LEAST = FEWEST * SHORTEST
-"""Least number of instructions of a program with columns for which a loop pays."""
+"""Least number of instructions of a program whose columns can be a loop that pays."""
 _MARK = "column_"
 _APART = frozenset({Op.SELECT, Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR})
 """Operations that are written beside others: choices with their comparisons, sines with cosines."""

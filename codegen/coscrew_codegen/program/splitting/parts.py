@@ -39,9 +39,9 @@ MOST_KEPT = Fraction(1, 4)
 """Largest fraction of a group's values that other groups may read.  Without merging, inverse
 dynamics of 35 joints compiled by clang took 20 % longer than as one function, with it 2 %."""
 LONGER = 3
-"""A program shares values with programs of at most so many times the length of the shortest of
-them.  Sharing with their derivatives, which read most values, inverse dynamics and the mass matrix
-of 35 joints took 1.3 and 1.5 times as long, and the derivatives 1.16 times."""
+"""Programs share values if the longest of them is at most so many times as long as the shortest.
+Where inverse dynamics and the mass matrix of 35 joints shared values with their derivatives, which
+read most of them, they took 1.3 and 1.5 times as long, and the derivatives 1.16 times."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def cut(programs: Sequence[Program], longest: int, name: str = "shared", columns
 
 
 def _of_similar_length(programs: Sequence[Program]) -> Iterator[Sequence[Program]]:
-    """The programs that may share values, in their order, the shortest ones first."""
+    """The programs that share values with each other, in their order; the shortest ones first."""
     left = list(programs)
     while left:
         most = LONGER * min(len(x.instructions) for x in left)
@@ -243,8 +243,8 @@ class _Cutting:
         return Cut(groups, replace(last, inputs=(*last.inputs, *unread)))
 
     def _names(self, name: str, several: int) -> tuple[dict[_Users, str], int]:
-        """Names of the groups that no program's steps, inputs and outputs have; those of several
-        programs have numbers beyond `several`.  Also returns the last number."""
+        """Names of the groups that no program's steps, inputs and outputs have, and the last number
+        in one of them; groups of several programs are numbered from `several` + 1 on."""
         taken = {name for program in self.programs for name in (
             *(a.name for a in (*program.inputs, *program.outputs)),
             *(step.name for step in program.instructions))}

@@ -1,5 +1,5 @@
-"""Ranges: the intervals in which the arguments of a scene's functions are stated to lie, by
-the scene or by the limits of its joints."""
+"""Ranges: the intervals in which the arguments of a scene's functions lie, as the scene or the
+limits of its joints state them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -119,8 +119,6 @@ def _unit(joint: Joint, name: str) -> str:
             "lower": "rad" if turns else "m", "upper": "rad" if turns else "m"}[name]
 
 
-
-
 def falling(model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     """A notice of the free bases that fall: gravity acts, and no effect exerts a force from outside
     on their trees at rest, nor does a loop tie them to others."""

@@ -1,6 +1,6 @@
 """The balance of energy along a trajectory: E(t) - E(0) = ∫ P dt, P the power of all effects that
-have no potential energy; and the momentum of floating bases, which only gravity changes; and the
-energy that effects with bristles dissipate, never less than nothing.
+have no potential energy; the momentum of floating bases, which only gravity changes; the energy
+that effects with bristles dissipate, which is never negative.
 
 Work between two samples is computed by Simpson's rule.  Where that does not account for the change
 of energy, the work is computed by small steps from one sample to the next, since a bounce may begin
@@ -178,7 +178,7 @@ class Bristles:
 
     stored: float  # by bristles, the largest
     dissipated: float  # to the end
-    returned: float  # the largest amount by which what was dissipated falls
+    returned: float  # the largest amount by which the dissipated energy falls
     at: float  # where it does, in s
     allowed: float  # the largest such amount
 
