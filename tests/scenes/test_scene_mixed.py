@@ -32,7 +32,7 @@ from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges.rounding import RequestError, positions
+from coscrew_codegen.dynamics.ranges.accuracy_requests import RequestError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up

@@ -8,10 +8,11 @@ from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.dynamics.derivation import Derivation, Keep
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
+from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
 from coscrew_codegen.dynamics.ranges.argument_ranges import argument_ranges
 from coscrew_codegen.dynamics.ranges.representable import refuse_numbers
 from coscrew_codegen.dynamics.ranges.residual import residual
-from coscrew_codegen.dynamics.ranges.rounding import requested, statement
+from coscrew_codegen.dynamics.ranges.rounding import statement
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.scene.function_selection import (
@@ -68,7 +69,8 @@ def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionPro
     accuracy requested of it."""
     if not public:
         return replace(made, internal=True)
-    made = replace(made, accuracy=requested(made.program, its.scene, its.tree))
+    if its.scene.accuracy:
+        made = replace(made, accuracy=requested(made.program, its.scene, its.tree))
     if its.scene.ranges is None:
         return replace(made, rounding=statement(made.program, its.scene, its.tree))
     made = replace(made, ranges=argument_ranges(made.program, its.scene.ranges))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.dynamics.ranges.rounding import positions, speeds
+from coscrew_codegen.dynamics.ranges.accuracy_requests import positions, speeds
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.system import System
 

@@ -11,7 +11,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.dynamics.ranges.rounding import positions, speeds
+from coscrew_codegen.dynamics.ranges.accuracy_requests import positions, speeds
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.simulation.identification.arm_regressor import ArmRegressor
 
