@@ -119,5 +119,6 @@ def test_a_run_enters_every_stage_and_from_the_cache_none_that_makes(
 
 
 def test_few_files_are_entered(traces: tuple[Trace, Trace]):
-    cold, warm = traces
-    assert len(cold.entered) <= 148 and len(warm.entered) <= 61
+    """Besides the file that reads the syntax of sources, once after each change of one."""
+    cold, warm = ({*x.entered} - {"runtime/syntax.py"} for x in traces)
+    assert len(cold) <= 148 and len(warm) <= 61
