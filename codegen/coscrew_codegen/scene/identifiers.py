@@ -79,7 +79,7 @@ _LONGEST = 40
 
 
 def refused(name: str) -> str | None:
-    """Why a name is refused; None if it is valid."""
+    """Why the name of a scene is refused; None if it is valid."""
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
         return "is no identifier: a letter, then letters, digits and _"
     if len(name) > _LONGEST:
@@ -91,7 +91,7 @@ def refused(name: str) -> str | None:
     return None
 
 
-def identifier(stem: str) -> str:
-    """A text turned into an identifier: "6-joint arm" gives scene_6_joint_arm."""
+def scene_identifier(stem: str) -> str:
+    """A text turned into a valid name of a scene: "6-joint arm" gives scene_6_joint_arm."""
     name = re.sub(r"[^A-Za-z0-9]+", "_", stem).strip("_")[:_LONGEST - len("scene_")]
     return name if name and refused(name) is None else f"scene_{name}".rstrip("_")

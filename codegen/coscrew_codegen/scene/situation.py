@@ -61,16 +61,16 @@ class Precondition:
 
 def carries(scene: Scene) -> bool:
     """Returns whether the velocities of free bases stay the same in the world while they drift."""
-    return touches(scene) and any(
+    return has_contacts(scene) and any(
         x.kind.floats and x.parent == WORLD for x in scene.model.joints)
 
 
-def switches(scene: Scene) -> bool:
+def has_switches(scene: Scene) -> bool:
     """Returns whether an effect of the scene has switches."""
     return any(x.effect.switches for x in scene.effects)
 
 
-def touches(scene: Scene) -> bool:
+def has_contacts(scene: Scene) -> bool:
     """Returns whether bodies of the scene touch the ground or each other."""
     return any(x.effect.parts or x.effect.bodies_force for x in scene.effects)
 
@@ -80,7 +80,7 @@ LIMITS = Precondition("no limit closes", lambda its: its.closes)
 FLOATING = Precondition("no base is floating", lambda its: bool(its.floating))
 QUATERNIONS = Precondition("no joint has a quaternion", lambda its: any(
     x.kind.manifold for x in its.scene.model.joints))
-CONTACTS = Precondition("nothing touches anything", lambda its: touches(its.scene))
+CONTACTS = Precondition("nothing touches anything", lambda its: has_contacts(its.scene))
 TOUCHING_BASE = Precondition("no free base touches anything", lambda its: carries(its.scene))
 STATES = Precondition("no effect has states", lambda its: bool(states_of(its.scene)))
-SWITCHES = Precondition("no effect has switches", lambda its: switches(its.scene))
+SWITCHES = Precondition("no effect has switches", lambda its: has_switches(its.scene))

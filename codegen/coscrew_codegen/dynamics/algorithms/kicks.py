@@ -42,7 +42,7 @@ from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.mechanism.loop import WeightedCoordinate
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene.situation import carries, touches
+from coscrew_codegen.scene.situation import carries, has_contacts
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -184,7 +184,7 @@ def _later(x: FunctionRecording, h: Number, kicked: forward.Implicit) -> dict[in
 
 
 def _touching(x: FunctionRecording) -> Iterable[Touching]:
-    return touching(x) if touches(x.scene) else ()
+    return touching(x) if has_contacts(x.scene) else ()
 
 
 def closing(x: FunctionRecording) -> Number:

@@ -215,8 +215,9 @@ def _lumped(bodies: tuple[PlacedBody, ...]) -> LumpedInertia:
         if inertia := placed.body.inertia:
             m, R = value(inertia.mass), placed.placement.R
             com = tuple(map(value, inertia.com))
-            at = tuple(length(sum((x * y for x, y in zip(R[3 * i:3 * i + 3], com, strict=True)),
-                                  placed.placement.t[i])) for i in range(3))
+            moved = (sum((x * y for x, y in zip(R[3 * i:3 * i + 3], com, strict=True)), t)
+                     for i, t in enumerate(placed.placement.t))
+            at = tuple(map(_cleaned_length, moved))
             own = rotated(R, tuple(map(value, inertia.moments)))
             mass += m
             first = tuple(a + m * b for a, b in zip(first, at, strict=True))
@@ -243,40 +244,40 @@ to this times xx as equal: residues of rotating equal moments in double precisio
 
 def without_residues(model: Model) -> Model:
     """The model with zero in place of its residues."""
-    return replace(model, bodies=tuple(map(_body, model.bodies)),
-                   joints=tuple(map(_joint, model.joints)),
-                   loops=tuple(map(_loop, model.loops)))
+    return replace(model, bodies=tuple(map(_cleaned_body, model.bodies)),
+                   joints=tuple(map(_cleaned_joint, model.joints)),
+                   loops=tuple(map(_cleaned_loop, model.loops)))
 
 
 def without_residue(placement: Placement) -> Placement:
     """A frame composed of frames, rounded as theirs are: right angles that their rotations add up
     to are exact, and coordinates that cancel are zero."""
-    return Placement(snapped(placement.R), tuple(map(length, placement.t)))
+    return Placement(snapped(placement.R), tuple(map(_cleaned_length, placement.t)))
 
 
-def length(x: Fraction) -> Fraction:
+def _cleaned_length(x: Fraction) -> Fraction:
     """A coordinate, or zero up to LENGTH."""
     return Fraction(0) if abs(x) <= LENGTH else x
 
 
-def _joint(joint: Joint) -> Joint:
+def _cleaned_joint(joint: Joint) -> Joint:
     at = joint.placement
-    return replace(joint, placement=replace(at, t=tuple(map(length, at.t))))
+    return replace(joint, placement=replace(at, t=tuple(map(_cleaned_length, at.t))))
 
 
-def _loop(loop: ClosedLoop) -> ClosedLoop:
-    first, second = (replace(x, point=tuple(map(length, x.point)), R=snapped(x.R),
+def _cleaned_loop(loop: ClosedLoop) -> ClosedLoop:
+    first, second = (replace(x, point=tuple(map(_cleaned_length, x.point)), R=snapped(x.R),
                              axis=unit(x.axis))
                      for x in (loop.first, loop.second))
     return replace(loop, first=first, second=second)
 
 
-def _body(body: Body) -> Body:
+def _cleaned_body(body: Body) -> Body:
     if body.inertia is None:
         return body
     inertia = body.inertia
     return replace(body, inertia=Inertia(
-        inertia.mass, tuple(length(value(x)) for x in inertia.com),
+        inertia.mass, tuple(_cleaned_length(value(x)) for x in inertia.com),
         without_turned(tuple(map(value, inertia.moments)), TURNED)))
 
 

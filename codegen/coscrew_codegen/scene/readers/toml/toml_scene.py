@@ -17,7 +17,7 @@ from coscrew_codegen.scene.function_selection import (
     tiers_in_ranges,
     tiers_on_request,
 )
-from coscrew_codegen.scene.identifiers import identifier, refused
+from coscrew_codegen.scene.identifiers import refused, scene_identifier
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.assembly import followers
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
@@ -131,7 +131,7 @@ def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     parts = reader.parts_of(source)
     model = parts.model(source)
     start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
-    tables = {"name": identifier(stem(path)), "start": {"q": start},
+    tables = {"name": scene_identifier(stem(path)), "start": {"q": start},
               "effects": of_file_alone(model, parts.effects, catalogue)}
     if parts.inputs:
         tables["runtime"] = list(parts.inputs)
@@ -256,11 +256,11 @@ def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
 
 def _name(file: TomlTable) -> str:
     if "name" not in file:
-        return identifier(file.file.stem)
+        return scene_identifier(file.file.stem)
     name = file.text("name")
     if reason := refused(name):
         file.refuse("name", f"{shown(name)} {reason}; wanted a C identifier such as "
-                            f"{identifier(name)!r}")
+                            f"{scene_identifier(name)!r}")
     return name
 
 
