@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.function_selection import FunctionsError
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
@@ -28,6 +30,22 @@ j = { type = "continuous", child = "armature.j", axis = [0, 0, 1] }
 inertia = 0.1
 """
 """A body's moments of inertia that are called as a number of an effect."""
+
+CONTACTS = """
+[bodies]
+hand = { mass = 1, inertia = [1, 1, 1] }
+hand_tangent = { mass = 1, com = [1, 0, 0], inertia = [1, 1, 1] }
+[joints]
+wrist = { type = "continuous", child = "hand", axis = [0, 0, 1] }
+finger = { type = "continuous", parent = "hand", child = "hand_tangent", axis = [0, 0, 1] }
+[loops.contacts]
+kind = "law"
+joints = { finger = 1 }
+leaders = { wrist = 1 }
+polynomial = [0, 0.5]
+[effects.gravity]
+"""
+"""A body and a loop whose functions are called as others."""
 
 
 def refused(tmp_path: Path, text: str) -> str:
@@ -64,3 +82,19 @@ def test_scenes_are_not_called_as_the_librarys_headers(tmp_path: Path, name: str
     path = tmp_path / f"{name}.toml"
     path.write_text(f'{BESIDE}[outputs]\nrecord = ["energy"]\n')
     assert read_scene(path).name == f"scene_{name}"
+
+
+@pytest.mark.parametrize("functions, problem", (
+    (("jacobian_hand_tangent", "energy_tangent"),
+     "jacobian_hand_tangent is a function of 'hand_tangent', and a derivative of jacobian_hand, "
+     "too; rename one"),
+    (("closing_contacts",), "closing_contacts is a function of 'contacts', and a function of the "
+                            "scene, too; rename one")))
+def test_functions_have_different_names(tmp_path: Path, functions: tuple[str, ...], problem: str):
+    path = tmp_path / "two.toml"
+    path.write_text(CONTACTS)
+    scene = read_scene(path)
+    with pytest.raises(FunctionsError) as caught:
+        derive(scene, functions)
+    assert str(caught.value) == f"two: {problem}"
+    assert derive(scene, ("jacobian_hand_tangent",)).functions[0].name == "jacobian_hand_tangent"

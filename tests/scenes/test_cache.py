@@ -298,6 +298,25 @@ def test_a_folder_that_cannot_be_is_empty(path: Path, monkeypatch, capsys):
     assert "entries  0\n" in capsys.readouterr().out
 
 
+def test_folders_that_another_user_has_made_are_done_without(path: Path, folder: Path, derived,
+                                                             monkeypatch):
+    for number in range(256):
+        (folder / f"{number:02x}").mkdir(parents=True)
+    access = os.access
+    monkeypatch.setattr(os, "access", lambda place, mode: place.parent != folder and access(
+        place, mode))
+    for _ in range(2):
+        assert np.allclose(energy(path), ENERGY, rtol=1e-15, atol=0)
+    assert derived == ["swing"] and not cache.entries()
+
+
+def test_files_in_the_place_of_folders_are_done_without(path: Path, folder: Path):
+    folder.mkdir(parents=True)
+    for number in range(256):
+        (folder / f"{number:02x}").touch()
+    assert np.allclose(energy(path), ENERGY, rtol=1e-15, atol=0)
+
+
 def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsys,
                                                  monkeypatch: pytest.MonkeyPatch):
     def refused(path: Path) -> None:

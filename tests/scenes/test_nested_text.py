@@ -3,8 +3,10 @@
 import gc
 import random
 import re
+import sys
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from threading import Barrier, Thread
 
 import pytest
 
@@ -134,3 +136,20 @@ def test_results_are_kept_with_their_program_alone() -> None:
     programs = [drawn(1, n) for n in range(21, 41)]
     for x in programs:  # a copy stands in memory where the one before it stood
         assert length(replace(x)) == len(x.instructions)
+
+
+def test_threads_at_once_keep_one_result(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both compute it; it goes once with the program."""
+    ignored: list[object] = []
+    monkeypatch.setattr(sys, "unraisablehook", ignored.append)
+    both = Barrier(2)
+    computed = kept_with(lambda program: both.wait(10))
+    program = drawn(1, 20)
+    threads = [Thread(target=computed, args=(program,)) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    del program, threads, thread
+    gc.collect()
+    assert not both.broken and not ignored

@@ -17,6 +17,7 @@ from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFuncti
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.scene.function_selection import (
     FunctionsError,
+    refuse_ambiguous,
     refuse_loops,
     refuse_many,
     refuse_singular,
@@ -36,8 +37,8 @@ def derive(scene: Scene, functions: Collection[str] = (),
     `keep` has it.
 
     Raises RangeError for numbers that one of its precisions cannot represent, ModelError if a
-    function divides by zero whatever q is, FunctionsError for functions that the scene lacks, and
-    for too many joints."""
+    function divides by zero whatever q is, FunctionsError for functions that the scene lacks, for
+    two of one name, and for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
     refuse_singular(scene, functions)
@@ -54,9 +55,11 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
     steps, with_tau = ([x.step for x in entries if x.step and x.name in wanted
                         and ("tau" in x.takes) == tau] for tau in (False, True))
     called = together(*map(needs, steps), *(needs(x, takes_tau=True) for x in with_tau))
+    entries = tuple(x for x in entries if x.name in wanted or x.name in called)
+    refuse_ambiguous(scene, entries)
     made = []
     for entry in entries:
-        if not entry.step and (entry.name in wanted or entry.name in called):
+        if not entry.step:
             if reason := entry.absent(its):
                 _refuse(its, entry, reason, names)
             else:

@@ -21,7 +21,7 @@ def kept_with(function: Callable[[Given], Result]) -> Callable[[Given], Result]:
         place = id(x)
         if place not in results:
             results[place] = function(x)
-            finalize(x, results.pop, place).atexit = False
+            finalize(x, results.pop, place, None).atexit = False  # of two threads, both do
         return results[place]
 
     return kept

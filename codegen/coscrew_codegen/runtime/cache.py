@@ -127,7 +127,7 @@ def kept_as(key: str, suffix: str, read: Callable[[Path], Value]) -> Value | Non
 
 def entry(key: str, suffix: str) -> Path | None:
     """The entry of this key, marked as used now; None if there is none or it is damaged."""
-    place = folder() / key[:2]
+    place = _place(key)
     for name in sorted(x for x in _names(place)
                        if x.startswith(f"{key}-") and x.endswith(suffix)):
         path = place / name
@@ -139,10 +139,21 @@ def entry(key: str, suffix: str) -> Path | None:
     return None
 
 
+def _place(key: str) -> Path:
+    """The folder of this key's entries; one of this process if it cannot be written to, as where
+    another user has made it."""
+    place = folder() / key[:2]
+    with suppress(OSError):
+        place.mkdir(parents=True, exist_ok=True)
+        if os.access(place, os.W_OK):
+            return place
+    return _own_folder() / key[:2]
+
+
 def write(key: str, suffix: str, content: bytes) -> Path:
     """Store this content as an entry; removes others if the cache is full."""
     most, size, digest = limit(), len(content), hashed(content)
-    path = folder() / key[:2] / f"{key}-{size}-{digest}{suffix}"
+    path = _place(key) / f"{key}-{size}-{digest}{suffix}"
     replaced(path, content)
     # To add up thousands of sizes takes longer than to write an entry.  So they are added up with a
     # probability that is proportional to this entry's size; its hash is the random number, below

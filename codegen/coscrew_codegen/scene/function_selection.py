@@ -139,6 +139,23 @@ def refuse_loops(scene: Scene, functions: Collection[str]) -> None:
                                  "wanted a scene without [loops], or functions without it")
 
 
+def refuse_ambiguous(scene: Scene, functions: Iterable[SceneFunction]) -> None:
+    """Raise FunctionsError if two of these functions have one name, as the tangent of jacobian_hand
+    has that of the Jacobian of a body called hand_tangent."""
+    known: dict[str, SceneFunction] = {}
+    for x in functions:
+        if (other := known.setdefault(x.name, x)) is not x:
+            raise FunctionsError(f"{scene.name}: {x.name} is {_reading(other)}, and "
+                                 f"{_reading(x)}, too; rename one")
+
+
+def _reading(x: SceneFunction) -> str:
+    """Says in words what a function's name stands for."""
+    if x.differentiates:
+        return f"a derivative of {x.differentiates.name}"
+    return f"a function of {x.target!r}" if x.target else "a function of the scene"
+
+
 def refuse_many(scene: Scene) -> None:
     """Raises FunctionsError for a scene of more than MOST joints that move."""
     count = sum(joint.kind.moves for joint in scene.model.joints)
