@@ -40,6 +40,9 @@ CASADI = 2
 LANES = {"ur5": 25, "panda7": 15}
 """Pinocchio's time / ours, of many states with the widest lanes."""
 STATES = 128
+RESULTS = 2**19
+"""Most bytes of results of single calls: they stay in the cache, as those of a controller do, and
+those of Pinocchio, which are left in its workspace."""
 SECONDS = 2.0  # of each comparison
 
 
@@ -57,7 +60,7 @@ class Subject:
 def subject(name: str, folder: Path) -> Subject:
     """A robot; a humanoid without CasADi's forward dynamics, which take clang eight minutes."""
     robot = robot_named(name, (*DERIVATIVES, "mass_matrix"))
-    given, missing, casadi = robot.states(STATES), {}, {}
+    given, missing, casadi = robot.states(_few(robot)), {}, {}
     built, missing["Pinocchio"] = library("clang++")
     missing["CasADi"] = written(robot, folder, written_of(name))
     if not missing["CasADi"]:
@@ -66,6 +69,11 @@ def subject(name: str, folder: Path) -> Subject:
             casadi |= {(function, f"{compiler}{way}"): replace(one, way=way)
                        for function, way in written_of(name)}
     return Subject(robot, given, Pinocchio(built, robot, given) if built else None, casadi, missing)
+
+
+def _few(robot: Robot) -> int:
+    """The number of states of single calls."""
+    return min(STATES, RESULTS // (8 * 3 * robot.functions.nv**2))
 
 
 def written_of(name: str) -> tuple[tuple[str, str], ...]:
@@ -83,7 +91,7 @@ def timed(x: Subject, function: str, ours: dict[str, tuple[str, Loops]]
     for kind, own in ours.values():
         arrays = own.arguments(function, DOUBLE, x.given)
         loops.append(own.loop(kind, function, DOUBLE, arrays))
-        loops[-1].function(ctypes.c_long(STATES), loops[-1].arguments)
+        loops[-1].function(ctypes.c_long(len(x.given[0])), loops[-1].arguments)
         for rival in rivals:
             refuse_others(arrays[-3:], rival, function)
     driver = next(iter(ours.values()))[1].library
@@ -121,11 +129,13 @@ def operations(program: Program) -> int:
 
 def in_lanes(x: Subject, folder: Path) -> Iterator[tuple[list[str], tuple[float, Bar]]]:
     """A line for each function and compiler with the widest lanes, and its bar."""
-    scene, width = x.robot.functions, widths()[-1]
+    scene, width, given = x.robot.functions, widths()[-1], x.robot.states(STATES)
+    many = replace(x, given=given, casadi={},
+                   pinocchio=replace(x.pinocchio, states=given) if x.pinocchio else None)
     ours = {c: ("many", compiled(scene, DERIVATIVES, folder, c, *WIDTHS[width], many=True))
             for c in compilers()}
     for function in DERIVATIVES:
-        times, pinocchio, _ = timed(replace(x, casadi={}), function, ours)
+        times, pinocchio, _ = timed(many, function, ours)
         for compiler, own in times.items():
             ratio = pinocchio.ratio(own) if pinocchio else None
             bar = Bar(f"{width} lanes: Pinocchio / {function} of {scene.name}", LANES[scene.name],
