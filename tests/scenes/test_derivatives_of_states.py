@@ -147,7 +147,7 @@ def test_matrices_have_rows_of_states(tmp_path: Path) -> None:
 @CASES
 def test_the_chart_has_rows_of_zeros_for_states(scene: Scene, q: list[float], v: list[float]
                                                 ) -> None:
-    """Their units, too: of a state over a displacement."""
+    """Each of its numbers has a unit."""
     chart = derive(scene, ["chart"]).named("chart")
     rows = len(q)
     assert [a.quantity.shape for a in chart.program.outputs] == [(rows, len(v))]
@@ -155,6 +155,13 @@ def test_the_chart_has_rows_of_zeros_for_states(scene: Scene, q: list[float], v:
     given = sum(len(x.kind.units("q")) for x in scene.model.joints)
     zeros = chart.program.results[given * len(v):]
     assert zeros and all(x == ZERO for x in zeros)
+
+
+@pytest.mark.parametrize("text", [GEARED])
+def test_units_of_the_chart_are_of_states_over_displacements(scene: Scene) -> None:
+    """Two angles; then the torque of a motor with lag, and a rotor's angle and speed."""
+    assert derive(scene, ["chart"]).named("chart").units == (
+        "1", "1", "1", "1", "N m/rad", "N m/rad", "1", "1", "rad/s/rad", "rad/s/rad")
 
 
 def test_gradient_of_a_run_through_a_bounce(tmp_path: Path) -> None:
